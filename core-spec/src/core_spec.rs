@@ -13,6 +13,7 @@ use crate::options::CoreOptions;
 use crate::parameters::CoreParameters;
 use crate::shading_method::Viewpoint;
 use crate::specialisation::Specialisation;
+use crate::target_clock::TargetClock;
 
 /// The most bits by which formats are finer for bright highlights.
 const MOST_BITS_FOR_HIGHLIGHTS: f64 = 2.0;
@@ -26,6 +27,8 @@ pub struct CoreSpec {
     pub method: MethodSpec,
     /// What its inputs are given over the frames that it is for.
     pub specialisation: Specialisation,
+    /// The clock that it is made for; without, operators have a register each, for any device.
+    pub target: Option<TargetClock>,
 }
 
 /// The inputs of a core by a method: their ports.
@@ -57,6 +60,7 @@ impl CoreSpec {
             parameters: CoreParameters::for_needs(needs, pipelines),
             method: method.spec(needs, &table.method_table(method))?,
             specialisation: Specialisation::default(),
+            target: None,
         };
         let spec = spec.for_highlights(needs, &table.method_table(method));
         spec.check()?;
@@ -85,6 +89,7 @@ impl CoreSpec {
     /// [`SpecError`] names the first that is not.
     pub fn check(&self) -> Result<(), SpecError> {
         self.parameters.check()?;
+        self.target.as_ref().map_or(Ok(()), TargetClock::check)?;
         self.method.shading().check_options()?;
         self.narrowing_points().iter().try_for_each(NarrowingPoint::check)?;
         self.specialisation.check(&self.general().inputs())

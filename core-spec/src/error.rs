@@ -13,6 +13,15 @@ pub enum SpecError {
         /// The names there are.
         known: String,
     },
+    /// No target with known delays has that name.
+    #[error("there is no target `{name}` with a clock")]
+    #[diagnostic(code(specula::spec::target), help("there are {known}"))]
+    UnknownTarget {
+        /// The name given.
+        name: String,
+        /// The names there are.
+        known: String,
+    },
     /// The power by squaring takes powers of two only.
     #[error(
         "the method `{method}` raises to n = 2^j by squaring, and a material has shininess {shininess}"

@@ -11,6 +11,7 @@ use crate::light_pipelines::LightPipelines;
 use crate::method::MethodSpec;
 use crate::parameters::CoreParameters;
 use crate::specialisation::Specialisation;
+use crate::target_clock::TargetClock;
 
 /// See [`CoreParameters`] and [`CoreSpec`] for what they mean.
 #[derive(Serialize, Deserialize)]
@@ -31,6 +32,8 @@ struct Keys {
     method: MethodSpec,
     #[serde(default, skip_serializing_if = "Specialisation::is_general")]
     specialisation: Specialisation,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    target: Option<TargetClock>,
 }
 
 impl<'de> Deserialize<'de> for CoreSpec {
@@ -49,15 +52,16 @@ impl Serialize for CoreSpec {
 macro_rules! parameters_have_keys {
     ($($key:ident),*) => {
         impl From<Keys> for CoreSpec {
-            fn from(Keys { $($key,)* method, specialisation }: Keys) -> CoreSpec {
-                CoreSpec { parameters: CoreParameters { $($key),* }, method, specialisation }
+            fn from(Keys { $($key,)* method, specialisation, target }: Keys) -> CoreSpec {
+                let parameters = CoreParameters { $($key),* };
+                CoreSpec { parameters, method, specialisation, target }
             }
         }
 
         impl From<CoreSpec> for Keys {
-            fn from(CoreSpec { parameters, method, specialisation }: CoreSpec) -> Keys {
+            fn from(CoreSpec { parameters, method, specialisation, target }: CoreSpec) -> Keys {
                 let CoreParameters { $($key),* } = parameters;
-                Keys { $($key,)* method, specialisation }
+                Keys { $($key,)* method, specialisation, target }
             }
         }
     };

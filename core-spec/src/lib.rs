@@ -44,6 +44,7 @@ pub mod slerp;
 mod spec_file;
 mod specialisation;
 mod specialise;
+mod target_clock;
 
 pub use specula_datapath::{Format, InputPort, SpanPacket, format};
 
@@ -74,3 +75,4 @@ pub use shading_method::{OptionDomain, Viewpoint};
 pub use slerp::{SlerpInputs, SlerpSpec};
 pub use spec_file::SpecFile;
 pub use specialisation::{Given, Specialisation};
+pub use target_clock::TargetClock;

@@ -6,10 +6,8 @@
 mod common;
 
 use std::error::Error;
-use std::rc::Rc;
 
 use specula_datapath::builder::{Builder, Sig};
-use specula_datapath::target::Generic;
 use specula_datapath::{Format, InputPort, SpanPacket};
 
 /// A complex number.
@@ -31,7 +29,7 @@ fn product(x: &Complex, y: &Complex, fraction_bits: u32) -> Complex {
 /// # Errors
 /// A mistake in using the builder, or an error beyond the proven bound.
 pub fn main() -> Result<(), Box<dyn Error>> {
-    let builder = Builder::new("complex_product", "(a + ib)(c + id)", Rc::new(Generic));
+    let builder = Builder::new("complex_product", "(a + ib)(c + id)");
     let control = builder.control();
     let format = Format::signed(0, 10);
     let part = |name: &str| builder.input(&InputPort::whole(name, format));

@@ -7,10 +7,8 @@
 mod common;
 
 use std::error::Error;
-use std::rc::Rc;
 
 use specula_datapath::builder::{Builder, LoopInvariant, Sig};
-use specula_datapath::target::Generic;
 use specula_datapath::{Format, InputPort, SpanPacket};
 
 /// Binomial coefficients, in sixteenths.
@@ -31,7 +29,7 @@ fn taps(builder: &Builder, first: &Sig, x: &Sig) -> [Sig; 5] {
 /// # Errors
 /// A mistake in using the builder, or an error beyond the proven bound.
 pub fn main() -> Result<(), Box<dyn Error>> {
-    let builder = Builder::new("fir", "y(i) = sum of c(k) x(i - k)", Rc::new(Generic));
+    let builder = Builder::new("fir", "y(i) = sum of c(k) x(i - k)");
     let control = builder.control();
     let format = Format::unsigned(0, 12);
     let start = builder.input(&InputPort::whole("start_value", format));

@@ -6,10 +6,8 @@
 mod common;
 
 use std::error::Error;
-use std::rc::Rc;
 
 use specula_datapath::builder::{Builder, Sig};
-use specula_datapath::target::Generic;
 use specula_datapath::{Format, InputPort, SpanPacket};
 
 /// a + t (b - a), rounded to a whole number.
@@ -22,7 +20,7 @@ fn lerp(a: &Sig, b: &Sig, t: &Sig) -> Sig {
 /// # Errors
 /// A mistake in using the builder, or an error beyond the proven bound.
 pub fn main() -> Result<(), Box<dyn Error>> {
-    let builder = Builder::new("lerp", "a + t (b - a)", Rc::new(Generic));
+    let builder = Builder::new("lerp", "a + t (b - a)");
     let control = builder.control();
     let byte = Format::unsigned(8, 0);
     let [a, b] = ["a", "b"].map(|name| builder.input(&InputPort::whole(name, byte)));

@@ -6,10 +6,8 @@
 mod common;
 
 use std::error::Error;
-use std::rc::Rc;
 
 use specula_datapath::builder::{Builder, Sig};
-use specula_datapath::target::Generic;
 use specula_datapath::{Format, InputPort, SpanPacket};
 
 /// Fraction bits of x, of the table's entries, and of the result.
@@ -51,7 +49,7 @@ fn reciprocal(builder: &Builder, x: &Sig) -> Sig {
 /// # Errors
 /// A mistake in using the builder, or an error beyond the proven bound.
 pub fn main() -> Result<(), Box<dyn Error>> {
-    let builder = Builder::new("reciprocal", "1/x for x in [1, 2)", Rc::new(Generic));
+    let builder = Builder::new("reciprocal", "1/x for x in [1, 2)");
     let control = builder.control();
     let format = Format::unsigned(1, FRACTION_BITS);
     let one = 1 << FRACTION_BITS;

@@ -9,11 +9,10 @@
 //! is asked for, and no unit counts its own registers.
 //!
 //! ```
-//! use std::rc::Rc;
-//! use specula_datapath::{Builder, Format, InputPort, target::Generic};
+//! //! use specula_datapath::{Builder, Format, InputPort};
 //!
 //! // A linear interpolation of bytes: a + t (b - a), rounded to a whole number.
-//! let builder = Builder::new("lerp", "a + t (b - a)", Rc::new(Generic));
+//! let builder = Builder::new("lerp", "a + t (b - a)");
 //! let control = builder.control();
 //! let byte = Format::unsigned(8, 0);
 //! let [a, b] = ["a", "b"].map(|name| builder.input(&InputPort::whole(name, byte)));
@@ -74,6 +73,7 @@ mod packet;
 pub mod pass;
 mod port;
 pub mod target;
+pub mod timing;
 pub mod verilog;
 
 pub use builder::{BuildError, Builder};

@@ -1,14 +1,12 @@
 //! Mistakes in using the builder are errors that name the unit and the signal.
-use std::rc::Rc;
 
 use specula_datapath::builder::{BuildError, Builder, LoopInvariant, Sig};
-use specula_datapath::target::Generic;
 use specula_datapath::{Format, InputPort};
 
 const FORMAT: Format = Format::signed(1, 6);
 
 fn opened() -> (Builder, Sig, Sig, Sig) {
-    let builder = Builder::new("bench", "", Rc::new(Generic));
+    let builder = Builder::new("bench", "");
     let control = builder.control();
     let x = builder.input(&InputPort::whole("x", FORMAT));
     (builder, control.valid, control.start, x)

@@ -6,7 +6,7 @@ pub mod cores;
 pub mod error;
 pub mod units;
 
-pub use cores::elaborate;
+pub use cores::{elaborate, highest_clock};
 
 use specula_spec::CoreSpec;
 

@@ -3,12 +3,10 @@
 use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::path::Path;
-use std::rc::Rc;
 
 use specula_datapath::builder::Builder;
 use specula_datapath::graph::{Graph, RealId, RealValue, RealVector, Rule, VectorId};
 use specula_datapath::pass::bounds::{Bounds, bounds, premises};
-use specula_datapath::target::Generic;
 use specula_fixtures::Draw;
 use specula_hdl::cores;
 use specula_scene::load;
@@ -29,7 +27,7 @@ fn specs() -> impl Iterator<Item = CoreSpec> {
 fn described(spec: &CoreSpec) -> (Graph, Bounds) {
     let kept = RefCell::new(None);
     let graph = cores::graph(spec, |formula| {
-        let builder = Builder::new("core", formula, Rc::new(Generic));
+        let builder = Builder::new("core", formula);
         kept.replace(Some(builder.clone()));
         builder
     });

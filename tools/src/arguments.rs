@@ -3,13 +3,14 @@ use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use specula_datapath::target::Target;
 use specula_experiments::search;
 use specula_hdl::module_name;
 use specula_scene::picture::limits;
 use specula_scene::{Frame, LoadedScene};
-use specula_spec::{CoreSpec, Method, SceneCore, SpecFile, Specialise};
-use specula_testbench::EngineKind;
+use specula_spec::{CoreSpec, Method, SceneCore, SpecFile, Specialise, TargetClock};
 use specula_testbench::trace::Choice;
+use specula_testbench::{BenchError, EngineKind};
 
 use crate::error::ToolError;
 
@@ -92,6 +93,67 @@ pub struct CoreArguments {
     /// method, such as 1lsb [default: the formats that the scene says, else recommended ones]
     #[arg(long, value_name = "LSB", allow_hyphen_values = true, value_parser = parse_error)]
     pub max_error: Option<f64>,
+    #[command(flatten)]
+    pub made_for: TargetArguments,
+}
+
+/// The clock that a core is made for.
+#[derive(Clone, Debug, Default, Args)]
+pub struct TargetArguments {
+    /// Target whose cells and delays the core is made for [default: any device, with a register
+    /// behind each operator]
+    #[arg(long, value_name = "TARGET", value_parser = target_parser())]
+    pub target: Option<String>,
+    /// Clock in MHz that the core is pipelined for, from 1 to 1000, or max for the highest that
+    /// its loops allow [default: max]
+    #[arg(long, value_name = "MHZ", value_parser = parse_clock, requires = "target")]
+    pub clock: Option<Clock>,
+}
+
+/// A clock that is asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Clock {
+    /// So many MHz.
+    Mhz(f64),
+    /// The highest.
+    Highest,
+}
+
+impl TargetArguments {
+    /// A core made for what is asked for; unchanged where nothing is.
+    pub fn made_for(&self, spec: CoreSpec) -> Result<CoreSpec, ToolError> {
+        let Some(name) = self.target.clone() else { return Ok(spec) };
+        let with = |clock_mhz| CoreSpec {
+            target: Some(TargetClock { name: name.clone(), clock_mhz }),
+            ..spec.clone()
+        };
+        match self.clock.unwrap_or(Clock::Highest) {
+            _ if name == ANY_DEVICE => Ok(CoreSpec { target: None, ..spec }),
+            Clock::Mhz(mhz) => Ok(with(mhz)),
+            Clock::Highest => {
+                let mhz = specula_hdl::highest_clock(&with(1.0)).map_err(BenchError::from)?;
+                Ok(with(mhz))
+            }
+        }
+    }
+}
+
+/// The target that is no device in particular.
+const ANY_DEVICE: &str = "generic";
+
+/// `--target`.
+fn target_parser() -> impl TypedValueParser<Value = String> {
+    PossibleValuesParser::new([ANY_DEVICE].into_iter().chain(Target::clocked()))
+}
+
+/// Parses `--clock`.
+fn parse_clock(text: &str) -> Result<Clock, String> {
+    let mhz = || {
+        let mhz = text.strip_suffix("MHz").unwrap_or(text).trim().parse::<f64>().ok();
+        mhz.filter(|mhz| (1.0..=1000.0).contains(mhz)).map(Clock::Mhz)
+    };
+    let clock = if text == "max" { Some(Clock::Highest) } else { mhz() };
+    clock.ok_or_else(|| "write a clock from 1 to 1000 MHz, as in 250, or max".to_owned())
 }
 
 impl CoreArguments {
@@ -106,7 +168,7 @@ impl CoreArguments {
         // The search for narrow formats starts from the general core.
         let wish =
             self.specialise.or((!general && self.max_error.is_some()).then_some(Specialise::Scene));
-        Ok(specialised(spec, wish, &scene.frame))
+        self.made_for.made_for(specialised(spec, wish, &scene.frame))
     }
 }
 

@@ -51,7 +51,7 @@ pub struct Arguments {
     name: NameArguments,
     /// Shade the scene with the core in this run's folder, or in this spec.toml; it is refused if
     /// it lacks something that the scene needs
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["method", "specialise", "max_error"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["method", "specialise", "max_error", "target"])]
     core: Option<PathBuf>,
     #[command(flatten)]
     wanted: CoreArguments,

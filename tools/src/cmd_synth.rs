@@ -2,9 +2,9 @@
 use std::io::Write;
 
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use serde::Serialize;
 use specula_flow::synth::{CriticalPath, SynthTarget, Synthesis, synthesise_and_place};
+use specula_spec::TargetClock;
 use specula_testbench::BenchError;
 
 use crate::arguments::NameArguments;
@@ -30,15 +30,9 @@ Example: specula synth torus --method hybrid --target ecp5 --seeds 3";
 pub struct Arguments {
     #[command(flatten)]
     core: SceneOrSpec,
-    /// Device family: an LFE5U-85F-6 for ecp5, an iCE40HX8K for ice40hx
-    #[arg(long, value_name = "TARGET", default_value = "ecp5", value_parser = target_parser())]
-    target: SynthTarget,
     /// Number of seeds of the placer, of which the median counts
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
     seeds: u32,
-    /// Frequency that place-and-route aims at, in MHz, from 1 to 1000
-    #[arg(long, value_name = "MHZ", default_value_t = 250, value_parser = clap::value_parser!(u32).range(1..=1000))]
-    clock: u32,
     /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
@@ -65,8 +59,11 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
     let bar = progress::steps();
     bar.set_length(arguments.seeds.into());
     bar.set_message("seeds placed");
-    let task = (arguments.clock, arguments.seeds);
-    let synthesis = synthesise_and_place(&design, &arguments.target, task, &|| bar.inc(1));
+    let made_for = file.spec.target.as_ref();
+    let asked = made_for.map_or(UNASKED_CLOCK, |clock| clock.clock_mhz.ceil() as u32);
+    let target = synth_target(made_for)?;
+    let task = (asked, arguments.seeds);
+    let synthesis = synthesise_and_place(&design, &target, task, &|| bar.inc(1));
     bar.finish_and_clear();
     let synthesis = synthesis?;
     let report = Report {
@@ -136,10 +133,15 @@ fn steps(path: &CriticalPath) -> Vec<[String; 4]> {
     [titles].into_iter().chain(rows).collect()
 }
 
-/// `--target`.
-fn target_parser() -> impl TypedValueParser<Value = SynthTarget> {
-    PossibleValuesParser::new(SynthTarget::ALL.map(|target| target.name)).try_map(|name| {
-        let named = |target: &SynthTarget| target.name == name;
-        SynthTarget::ALL.into_iter().find(named).ok_or("there is no such target")
+/// Frequency in MHz that place-and-route aims at where a core is made for no clock.
+const UNASKED_CLOCK: u32 = 250;
+
+/// What a core is placed on that is made for a target; an ECP5 for those that are made for any.
+fn synth_target(made_for: Option<&TargetClock>) -> Result<SynthTarget, ToolError> {
+    let Some(clock) = made_for else { return Ok(SynthTarget::ECP5) };
+    let named = |target: &SynthTarget| target.name == clock.name;
+    SynthTarget::ALL.into_iter().find(named).ok_or_else(|| ToolError::NotPlaceable {
+        target: clock.name.clone(),
+        known: SynthTarget::ALL.map(|target| target.name).join(", "),
     })
 }

@@ -38,6 +38,15 @@ pub enum ToolError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Synth(#[from] SynthError),
+    /// A core is made for a target that no open place-and-route is known for.
+    #[error("a core for `{target}` cannot be placed and routed here")]
+    #[diagnostic(code(specula::synth::target), help("cores for {known} can be"))]
+    NotPlaceable {
+        /// The target.
+        target: String,
+        /// The targets for which it can.
+        known: String,
+    },
     /// No core is as exact as the user asked for.
     #[error(transparent)]
     #[diagnostic(transparent)]

@@ -71,7 +71,7 @@ pub struct SceneOrSpec {
     #[arg(required_unless_present = "spec")]
     pub scene: Option<String>,
     /// Use the core in this spec.toml instead of one for a scene
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "size", "method", "specialise", "max_error"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "size", "method", "specialise", "max_error", "target"])]
     pub spec: Option<PathBuf>,
     #[command(flatten)]
     picture: PictureArguments,

@@ -5,7 +5,9 @@ use std::rc::Rc;
 use rust_hdl_core::prelude::*;
 
 use super::{Cell, Child, Module, Wire};
-use crate::design::{Assumption, Design, Node, NodeId, Op, Range, Register, ScopeId, Table};
+use crate::design::{
+    Assumption, Design, MultiplierBlock, Node, NodeId, Op, Range, Register, ScopeId, Table,
+};
 
 /// What crosses borders, worked out once for the whole design.
 struct Borders<'a> {
@@ -14,6 +16,8 @@ struct Borders<'a> {
     outputs: HashSet<NodeId>,
     /// The signals of each unit, in order.
     members: HashMap<ScopeId, Vec<NodeId>>,
+    /// The products in multiplier blocks of each unit.
+    multipliers: HashMap<ScopeId, Vec<&'a MultiplierBlock>>,
     tables: Rc<[Table]>,
 }
 
@@ -43,7 +47,11 @@ impl<'a> Borders<'a> {
                 .filter(|&o| design.scope(design.node(o).scope).parent == Some(node.scope));
             outputs.extend(inner.filter(|&o| design.node(o).op.constant().is_none()));
         }
-        Borders { design, outputs, members, tables: design.tables.clone().into() }
+        let mut multipliers: HashMap<ScopeId, Vec<&MultiplierBlock>> = HashMap::new();
+        for block in &design.multipliers {
+            multipliers.entry(design.node(block.product).scope).or_default().push(block);
+        }
+        Borders { design, outputs, members, multipliers, tables: design.tables.clone().into() }
     }
 
     fn kind(&self, id: NodeId) -> AtomKind {
@@ -84,6 +92,8 @@ impl<'a> Borders<'a> {
             gates: vec![],
             registers: vec![],
             children: vec![],
+            primitives: self.design.primitives,
+            multipliers: vec![],
             tables: self.tables.clone(),
             active: true,
         };
@@ -138,6 +148,10 @@ impl<'a> Borders<'a> {
             });
             let cell = Cell { wire: local[&id], op, register: node.register };
             if node.registered() { module.registers.push(cell) } else { module.gates.push(cell) }
+        }
+        for block in self.multipliers.get(&scope).into_iter().flatten() {
+            let wire = |id: NodeId| local.get(&id).or_else(|| constants.get(&id)).copied();
+            module.multipliers.extend(block.renumbered(|id| wire(id).map(NodeId)));
         }
     }
 

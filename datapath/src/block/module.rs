@@ -4,7 +4,7 @@ use std::rc::Rc;
 use rust_hdl_core::prelude::*;
 
 use super::Wire;
-use crate::design::{Op, Register, Table};
+use crate::design::{MultiplierBlock, Op, Primitives, Register, Table};
 
 /// An operator of a module; operands are numbers of the module's own wires.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,6 +43,9 @@ pub struct Module {
     pub(super) gates: Vec<Cell>,
     pub(super) registers: Vec<Cell>,
     pub(super) children: Vec<Child>,
+    pub(super) primitives: Primitives,
+    /// Products in multiplier blocks, by numbers of the module's own wires.
+    pub(super) multipliers: Vec<MultiplierBlock>,
     pub(super) tables: Rc<[Table]>,
     /// Whether anything changed in the last `update_all`, or has been put to a pin since.
     pub(super) active: bool,
@@ -62,6 +65,19 @@ impl Module {
     /// The modules in it.
     pub fn children(&self) -> &[Child] {
         &self.children
+    }
+
+    /// What Verilog has cells of the device for.
+    pub fn primitives(&self) -> Primitives {
+        self.primitives
+    }
+
+    /// Its products that are instances of cells, by numbers of its own wires.
+    pub fn multipliers(&self) -> &[MultiplierBlock] {
+        match self.primitives.multiplier {
+            Some(_) => &self.multipliers,
+            None => &[],
+        }
     }
 
     /// Whether it has a reset pin.

@@ -29,8 +29,7 @@ use crate::InputPort;
 
 use crate::design::{Design, NodeId, Op, Range};
 use crate::graph::{Graph, Pace, Rule};
-use crate::pass::{Bounds, compile};
-use crate::target::Target;
+use crate::pass::{Bounds, Pipelining, compile};
 
 pub use error::BuildError;
 pub use ports::{Bundle, Inputs};
@@ -59,9 +58,9 @@ pub struct Control {
 }
 
 impl Builder {
-    /// A builder for a core called `name` that computes `formula`, on `target`.
-    pub fn new(name: &str, formula: &str, target: Rc<dyn Target>) -> Builder {
-        Builder { state: Rc::new(RefCell::new(State::new(name, formula, target))) }
+    /// A builder for a core called `name` that computes `formula`.
+    pub fn new(name: &str, formula: &str) -> Builder {
+        Builder { state: Rc::new(RefCell::new(State::new(name, formula))) }
     }
 
     /// Opens the control inputs.
@@ -138,8 +137,7 @@ impl Builder {
     /// # Errors
     /// The first [`BuildError`] that was made.
     pub fn finish(self, valid: &Sig, outputs: &[(&str, Sig)]) -> Result<Design, BuildError> {
-        let target = self.state.borrow().target.clone();
-        Ok(compile(&self.graph(valid, outputs)?, &*target)?)
+        Ok(compile(&self.graph(valid, outputs)?, &Pipelining::EachOperator)?)
     }
 
     /// What is known so far of everything that has been described.

@@ -1,6 +1,5 @@
 //! The graph while it grows.
 use std::collections::{HashMap, HashSet};
-use std::rc::Rc;
 
 use super::error::BuildError;
 use crate::design::{LeftOut, NodeId, Op, Range, ScopeId, WideRange};
@@ -10,7 +9,6 @@ use crate::graph::{
 use crate::names::{CONTROL, unique};
 use crate::pass::Bounds;
 use crate::pass::fold::{Folded, folded};
-use crate::target::Target;
 
 /// What is known of a new value besides its operator.
 #[derive(Clone, Copy)]
@@ -25,7 +23,6 @@ pub(super) struct State {
     pub graph: Graph,
     /// What is known of its real values.
     pub bounds: Bounds,
-    pub target: Rc<dyn Target>,
     /// The unit that operators are added to.
     pub scope: ScopeId,
     /// How operators are clocked that are added now.
@@ -44,7 +41,7 @@ pub(super) struct State {
 }
 
 impl State {
-    pub fn new(name: &str, formula: &str, target: Rc<dyn Target>) -> State {
+    pub fn new(name: &str, formula: &str) -> State {
         let (none, nothing) = (NodeId(0), GroupId(0));
         let top = Unit {
             name: name.into(),
@@ -75,7 +72,6 @@ impl State {
         State {
             graph,
             bounds: Bounds::default(),
-            target,
             scope: ScopeId::TOP,
             pace: Pace::Target,
             names: taken.map(|taken| (ScopeId::TOP, taken.to_owned())).collect(),

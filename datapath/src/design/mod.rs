@@ -2,12 +2,14 @@
 //!
 //! The builder makes it; engines run it, `block` turns it into rust-hdl blocks, and `verilog`
 //! prints those.
+mod multiplier;
 mod op;
 mod range;
 mod size;
 
 use crate::Format;
 
+pub use multiplier::{MultiplierBlock, Primitives};
 pub use op::{Op, Table, TableId, wrapped};
 pub use range::{Range, WideRange};
 pub use size::{Size, UnitSize};
@@ -168,6 +170,10 @@ pub struct Design {
     pub outputs: Vec<NodeId>,
     /// Bound on |fixed - real| of each output, as a value.
     pub output_errors: Vec<f64>,
+    /// What Verilog has cells of the device for.
+    pub primitives: Primitives,
+    /// Products in multiplier blocks, where the target's are known.
+    pub multipliers: Vec<MultiplierBlock>,
     /// SignalInfo to be checked.
     pub assumptions: Vec<Assumption>,
     /// What was left out.

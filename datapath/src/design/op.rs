@@ -1,5 +1,5 @@
 //! What a signal is computed by.
-use super::NodeId;
+use super::{NodeId, Range};
 
 /// A table of a design, by its number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -103,6 +103,15 @@ impl Op {
             Op::Select(c, a, b) => Op::Select(f(c), f(a), f(b)),
             Op::LookUp(a, table) => Op::LookUp(f(a), table),
         }
+    }
+
+    /// Whether it only puts two values side by side: a value times 2^k, and one of k bits without
+    /// sign. `operand` gives an operand's operator and range.
+    pub fn is_join(self, operand: impl Fn(NodeId) -> (Op, Range)) -> bool {
+        let Op::Or(high, low) = self else { return false };
+        let (Op::ShiftLeft(_, bits), _) = operand(high) else { return false };
+        let (_, range) = operand(low);
+        range.low >= 0 && range.width() <= bits
     }
 
     /// The raw value, from the operands' raw values, before it is brought to the signal's width.

@@ -25,6 +25,9 @@ pub enum Pace {
     /// It is a register of a loop: what it reads belongs to the pixel before, and what it gives to
     /// the pixel of its group. It takes that over with a valid pixel only.
     Feedback,
+    /// It is a register of a loop that is 0 for a pixel whose bit, the first operand of its choice,
+    /// is 1: it is cleared a clock before. For the others it has what the pixel before gave.
+    Cleared,
     /// It is a register that takes its value over with a valid pixel only, and holds it else.
     Held,
     /// It has no register, and what it gives is what a register that holds its value will have in
@@ -133,7 +136,7 @@ impl Graph {
 
     /// Whether a value is one that a register keeps from pixel to pixel.
     pub fn is_state(&self, value: &Value) -> bool {
-        matches!(value.pace, Pace::Feedback | Pace::Held)
+        matches!(value.pace, Pace::Feedback | Pace::Cleared | Pace::Held)
     }
 
     /// Whether a value is the same at every clock.

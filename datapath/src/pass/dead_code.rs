@@ -30,6 +30,8 @@ impl Design {
             node.op = node.op.map(of_needed);
         }
         self.inputs = self.inputs.iter().map(|id| id.and_then(new)).collect();
+        self.multipliers =
+            self.multipliers.iter().filter_map(|block| block.renumbered(new)).collect();
         self.outputs = self.outputs.iter().map(|&id| of_needed(id)).collect();
         (self.valid, self.start, self.valid_out) =
             (of_needed(self.valid), of_needed(self.start), of_needed(self.valid_out));

@@ -13,6 +13,8 @@
 pub mod bounds;
 mod dead_code;
 pub(crate) mod fold;
+mod loops;
+mod lower;
 mod registers;
 mod schedule;
 
@@ -21,14 +23,56 @@ use crate::graph::Graph;
 use crate::target::Target;
 
 pub use bounds::{Bounds, bounds};
+pub use lower::lowered;
 pub use schedule::{LoopTooLate, Schedule, schedule};
 
-/// The design that a graph becomes on a target.
+/// What a graph is put into clocks for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Pipelining<'a> {
+    /// Any device: a register behind each multiplier, adder and multiplexer.
+    EachOperator,
+    /// A clock on a target whose delays are known, with the fewest register bits.
+    ForClock {
+        /// The target.
+        target: &'a Target,
+        /// The clock, in MHz.
+        mhz: f64,
+    },
+}
+
+/// The design that a graph becomes.
 ///
 /// # Errors
 /// [`LoopTooLate`] names a loop that reads a value which is there only after the loop's own clock.
-pub fn compile(graph: &Graph, target: &dyn Target) -> Result<Design, LoopTooLate> {
-    let schedule = schedule(graph, target)?;
+pub fn compile(graph: &Graph, pipelining: &Pipelining) -> Result<Design, LoopTooLate> {
     let bounds = bounds(graph);
-    Ok(dead_code::without(registers::placed(graph, &schedule, &bounds)))
+    let placed = |graph: &Graph| {
+        let schedule = schedule(graph, pipelining)?;
+        Ok(dead_code::without(registers::placed(graph, &schedule, &bounds)))
+    };
+    match pipelining {
+        Pipelining::EachOperator => placed(graph),
+        Pipelining::ForClock { target, mhz } => {
+            let design = placed(&lowered(graph, target, *mhz))?;
+            Ok(Design { primitives: target.primitives(), ..design })
+        }
+    }
+}
+
+/// The highest clock, in MHz, at which every operator and every loop of a graph meets the target's
+/// delays; 1 GHz if nothing limits it.
+pub fn highest_clock(graph: &Graph, target: &Target) -> f64 {
+    let allows = |mhz: f64| {
+        let graph = lowered(graph, target, mhz);
+        schedule::longest(&graph, target, mhz) <= 1000.0 / mhz
+    };
+    let (mut low, mut high) = (1u32, 1000u32);
+    while low < high {
+        let middle = (low + high).div_ceil(2);
+        match allows(f64::from(middle)) {
+            true => low = middle,
+            false => high = middle - 1,
+        }
+    }
+    f64::from(low)
 }

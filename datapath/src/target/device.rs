@@ -1,8 +1,8 @@
 //! Devices of a family, and what each has.
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 
 /// A device, as far as a core's size is compared with it.
-#[derive(Clone, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Device {
     /// Its name on the command line.

@@ -1,17 +1,14 @@
 //! Registers that only delay: which of a module's form lines, and what such a line is called.
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use crate::block::{AtomKind, Cell, Module};
-use crate::design::{Op, Register};
+use crate::design::{MultiplierBlock, NodeId, Op, Register};
 use crate::names::first_taken;
 
 /// The clocks of the shortest line that is an instance of its own.
 const SHORTEST: usize = 4;
 
-/// The most clocks of a line that is a shift register whatever [`LongDelays`] says.
-const LONGEST_SHIFT_REGISTER: usize = 32;
-
-/// What delay lines of more than 32 clocks are made of.
+/// What delay lines are made of that the target would have as memories.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LongDelays {
     /// Memories used as circular buffers, which hold only what is still to leave.
@@ -38,6 +35,8 @@ pub struct DelayLine {
     pub input: u32,
     /// The wires of the registers, in order; what the last one holds leaves.
     pub stages: Vec<u32>,
+    /// Clocks of the shortest line that is a memory.
+    pub shortest_memory: usize,
 }
 
 impl DelayLine {
@@ -54,7 +53,7 @@ impl DelayLine {
     /// What it is made of.
     pub fn storage(&self, long: LongDelays) -> Storage {
         match long {
-            LongDelays::Memories if self.clocks() > LONGEST_SHIFT_REGISTER => Storage::Memory,
+            LongDelays::Memories if self.clocks() >= self.shortest_memory => Storage::Memory,
             _ => Storage::ShiftRegister,
         }
     }
@@ -69,6 +68,10 @@ pub struct Delays {
     /// Lines of validity that are vectors: at least two clocks long, and anything may read a stage.
     pub validity: Vec<DelayLine>,
     members: HashSet<u32>,
+    /// What is inside multiplier blocks.
+    in_blocks: HashSet<u32>,
+    /// Names of the instances of multiplier blocks, by the wires that leave them.
+    blocks: HashMap<NodeId, String>,
 }
 
 impl Delays {
@@ -78,24 +81,46 @@ impl Delays {
         let data = readers.rows(Register::Data, |wire| readers.only_delay(wire));
         let bits = readers.rows(Register::Validity, |wire| readers.first_validity(wire));
         let mut names = Names::of(module);
+        let shortest_memory = module.primitives().shortest_memory as usize;
         let mut named = |rows: Vec<(u32, Vec<u32>)>, shortest: usize, suffix: &str| {
             let long = rows.into_iter().filter(|(_, stages)| stages.len() >= shortest);
             let line = |(input, stages): (u32, Vec<u32>)| {
                 let entering = &module.wires()[input as usize].wire_type().name;
-                DelayLine { name: names.unique(&format!("{entering}_{suffix}")), input, stages }
+                let name = names.unique(&format!("{entering}_{suffix}"));
+                DelayLine { name, input, stages, shortest_memory }
             };
             long.map(line).collect::<Vec<_>>()
         };
         let lines = named(data, SHORTEST, "delay");
         let validity = named(bits, 2, "line");
+        let blocks = module.multipliers().iter().map(|block| {
+            let product = &module.wires()[block.product.0 as usize].wire_type().name;
+            (block.product, names.unique(&format!("{product}_block")))
+        });
+        let blocks = blocks.collect();
         let members = lines.iter().chain(&validity).flat_map(|l| l.stages.clone()).collect();
-        Delays { lines, validity, members }
+        Delays { lines, validity, members, in_blocks: inside_blocks(module), blocks }
+    }
+
+    /// Whether this wire is driven inside a multiplier block.
+    pub fn in_block(&self, wire: u32) -> bool {
+        self.in_blocks.contains(&wire)
+    }
+
+    /// The name of the instance of a multiplier block.
+    pub fn block_name(&self, block: &MultiplierBlock) -> &str {
+        self.blocks.get(&block.product).map_or("", String::as_str)
     }
 
     /// Whether the register of this wire is part of a line.
     pub fn contains(&self, wire: u32) -> bool {
         self.members.contains(&wire)
     }
+}
+
+/// The wires that are driven inside multiplier blocks.
+fn inside_blocks(module: &Module) -> HashSet<u32> {
+    module.multipliers().iter().flat_map(MultiplierBlock::inside).map(|id| id.0).collect()
 }
 
 /// The operand of a register that only delays it: a variable of the same width.
@@ -119,7 +144,11 @@ impl<'a> Readers<'a> {
     fn of(module: &'a Module) -> Readers<'a> {
         let wires = module.wires().len();
         let mut readers = Readers { module, reads: vec![0; wires], delays: vec![vec![]; wires] };
-        for cell in module.cells() {
+        for block in module.multipliers() {
+            block.factors.iter().for_each(|factor| readers.reads[factor.0 as usize] += 1);
+        }
+        let inside = inside_blocks(module);
+        for cell in module.cells().filter(|cell| !inside.contains(&cell.wire)) {
             cell.op.operands().for_each(|operand| readers.reads[operand.0 as usize] += 1);
             if let Some(from) = delayed(module, cell) {
                 readers.delays[from as usize].push(cell);
@@ -148,7 +177,11 @@ impl<'a> Readers<'a> {
     /// Delay registers of a kind in rows, each with the wire that enters it; `next` is the register
     /// that goes on behind another. Registers in a ring begin nowhere and are in no row.
     fn rows(&self, kind: Register, next: impl Fn(u32) -> Option<u32>) -> Vec<(u32, Vec<u32>)> {
-        let of_kind = || self.module.cells().filter(|cell| cell.register == kind);
+        let inside = inside_blocks(self.module);
+        let of_kind = || {
+            let outside = |cell: &&Cell| !inside.contains(&cell.wire);
+            self.module.cells().filter(outside).filter(|cell| cell.register == kind)
+        };
         let registers: HashSet<u32> = of_kind()
             .filter(|cell| delayed(self.module, cell).is_some())
             .map(|cell| cell.wire)

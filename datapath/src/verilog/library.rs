@@ -3,6 +3,7 @@ use super::LongDelays;
 use super::delay_modules::DelayModules;
 use super::delays::Delays;
 use super::module::{self, Instantiated};
+use super::multiplier_modules::{self, MultiplierModules};
 use crate::block::Module;
 
 /// Stands for the module's name while texts are compared; no name can contain it.
@@ -30,6 +31,7 @@ pub struct Library {
     prefix: String,
     modules: Vec<Printed>,
     delays: DelayModules,
+    multipliers: MultiplierModules,
     long_delays: LongDelays,
 }
 
@@ -40,6 +42,7 @@ impl Library {
             prefix: prefix.to_owned(),
             modules: vec![],
             delays: DelayModules::new(prefix),
+            multipliers: MultiplierModules::new(prefix),
             long_delays,
         }
     }
@@ -59,7 +62,10 @@ impl Library {
             return same;
         }
         let number = self.modules.iter().filter(|m| m.unit == module.unit).count()
-            + usize::from(DelayModules::is_named_as(&module.unit));
+            + usize::from(
+                DelayModules::is_named_as(&module.unit)
+                    || multiplier_modules::is_named_as(&module.unit),
+            );
         let base = format!("{}_{}", self.prefix, module.unit);
         let name = if number == 0 { base } else { format!("{base}_{}", number + 1) };
         self.modules.push(Printed {
@@ -80,14 +86,18 @@ impl Library {
         for line in Delays::of(module).lines {
             self.delays.note(line.storage(self.long_delays));
         }
+        if let (Some(cells), [_, ..]) = (module.primitives().multiplier, module.multipliers()) {
+            self.multipliers.note(cells);
+        }
         let names = self.names(&children);
-        let instantiated = Instantiated { children: &names, delays: &self.delays };
+        let (delays, multipliers) = (&self.delays, &self.multipliers);
+        let instantiated = Instantiated { children: &names, delays, multipliers };
         (module::text(module, name, &instantiated, self.long_delays), children)
     }
 
-    /// The modules that delay lines are instances of, those that are instantiated.
-    pub fn delay_modules(&self) -> impl Iterator<Item = String> {
-        self.delays.sources()
+    /// The modules that delay lines and products are instances of, those that are instantiated.
+    pub fn primitive_modules(&self) -> impl Iterator<Item = String> {
+        self.delays.sources().chain(self.multipliers.sources())
     }
 
     /// Names of the modules in these places.

@@ -4,6 +4,7 @@ mod delay_modules;
 mod delays;
 mod library;
 mod module;
+mod multiplier_modules;
 mod nets;
 mod places;
 pub mod statement;
@@ -43,7 +44,7 @@ pub fn print_with(core: &Module, header: &Header, long_delays: LongDelays) -> St
     }
     let _ = write!(file, "`default_nettype none\n\n{top}");
     let units = library.modules().iter().map(Printed::source);
-    let inner: Vec<String> = units.chain(library.delay_modules()).collect();
+    let inner: Vec<String> = units.chain(library.primitive_modules()).collect();
     if !inner.is_empty() {
         file.push_str(
             "\n// Units follow; they stand in the core's file so that one file is the whole design.\n",

@@ -3,6 +3,7 @@ use std::fmt::Write;
 
 use super::delay_modules::DelayModules;
 use super::delays::{DelayLine, Delays};
+use super::multiplier_modules::{Factor, MultiplierModules};
 use super::unread::unread_bits;
 use super::{LongDelays, Nets};
 use crate::block::{AtomKind, Cell, Module, Wire, WireType};
@@ -14,6 +15,8 @@ pub struct Instantiated<'a> {
     pub children: &'a [String],
     /// Those of delay lines.
     pub delays: &'a DelayModules,
+    /// Those of products in multiplier blocks.
+    pub multipliers: &'a MultiplierModules,
 }
 
 /// The module called `name`.
@@ -40,6 +43,7 @@ pub fn text(
     writer.gates(&mut out);
     writer.data_registers(&mut out);
     writer.delay_lines(instantiated.delays, long_delays, &mut out);
+    writer.multipliers(instantiated.multipliers, &mut out);
     writer.validity_registers(&mut out);
     writer.instances(instantiated.children, &mut out);
     let unread = unread_bits(module, &nets);
@@ -135,13 +139,19 @@ impl<'a> Writer<'a> {
     /// Registers of a kind that are part of no line.
     fn registers(&self, kind: Register) -> impl Iterator<Item = &'a Cell> {
         let delays = self.delays;
-        self.module.cells().filter(move |cell| cell.register == kind && !delays.contains(cell.wire))
+        self.cells().filter(move |cell| cell.register == kind && !delays.contains(cell.wire))
+    }
+
+    /// Cells that are not inside a multiplier block.
+    fn cells(&self) -> impl Iterator<Item = &'a Cell> {
+        let delays = self.delays;
+        self.module.cells().filter(move |cell| !delays.in_block(cell.wire))
     }
 
     /// The cell that makes a variable of a wire: its register, or a table.
     fn variable_of(&self, wire: u32) -> Option<&'a Cell> {
         let is_variable = |cell: &&Cell| cell.register != Register::None || is_table(cell);
-        let cell = self.module.cells().find(|cell| cell.wire == wire).filter(is_variable);
+        let cell = self.cells().find(|cell| cell.wire == wire).filter(is_variable);
         cell.filter(|_| !self.delays.contains(wire))
     }
 
@@ -200,7 +210,9 @@ impl<'a> Writer<'a> {
         let of_lines = self.delays.lines.iter().map(DelayLine::output);
         let of_children =
             self.module.children().iter().flat_map(|child| child.outputs.iter().map(|pair| pair.1));
-        for wire in of_lines.chain(of_children).filter(|&wire| self.is_local(wire)) {
+        let of_blocks = self.module.multipliers().iter().map(|block| block.product.0);
+        let driven = of_lines.chain(of_children).chain(of_blocks);
+        for wire in driven.filter(|&wire| self.is_local(wire)) {
             let about = self.wire(wire);
             let _ = writeln!(out, "  {};  // {}", declaration("wire", about), about.format);
         }
@@ -228,7 +240,7 @@ impl<'a> Writer<'a> {
     fn gates(&self, out: &mut String) {
         let is_gate =
             |cell: &&Cell| cell.register == Register::None && cell.op.constant().is_none();
-        for cell in self.module.cells().filter(is_gate) {
+        for cell in self.cells().filter(is_gate) {
             let about = self.wire(cell.wire);
             if is_table(cell) {
                 let _ =
@@ -288,6 +300,20 @@ impl<'a> Writer<'a> {
             let [input, output] = [line.input, line.output()].map(|wire| self.nets.name(wire));
             let name = &line.name;
             let _ = writeln!(out, "  {kind} {name} (.clock(clock), .d({input}), .q({output}));");
+        }
+    }
+
+    fn multipliers(&self, modules: &MultiplierModules, out: &mut String) {
+        for block in self.module.multipliers() {
+            let shapes = block.factors.map(|factor| Factor::of(self.wire(factor.0)));
+            let product = self.wire(block.product.0);
+            let kind = modules.instantiated(block, shapes, product.width);
+            let [a, b] = block.factors.map(|factor| self.nets.value(factor));
+            let (name, product) = (self.delays.block_name(block), &product.name);
+            let _ = writeln!(
+                out,
+                "\n  {kind} {name} (\n    .clock(clock), .a({a}), .b({b}), .p({product})\n  );"
+            );
         }
     }
 

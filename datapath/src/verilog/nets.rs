@@ -40,6 +40,12 @@ impl<'a> Nets<'a> {
         &self.names[wire as usize]
     }
 
+    /// A wire, or the constant that it carries, as an expression of the wire's width.
+    pub fn value(&self, wire: NodeId) -> String {
+        let width = self.module.wires()[wire.0 as usize].wire_type().width;
+        statement::expression(crate::design::Op::Copy(wire), width, &|id| self.operand(id))
+    }
+
     /// A cell as Verilog statements of an `always` block.
     pub fn assignment(&self, cell: &Cell) -> String {
         let arrow = if cell.register == Register::None { "=" } else { "<=" };

@@ -3,6 +3,7 @@ use std::collections::HashMap;
 
 use super::delay_modules::LINE;
 use super::delays::Delays;
+use super::multiplier_modules::places_inside;
 use crate::block::{AtomKind, Module};
 use crate::design::NodeId;
 
@@ -48,6 +49,12 @@ fn add(module: &Module, path: &[String], places: &mut HashMap<NodeId, Place>) {
             if wire_type(wire).kind == AtomKind::LocalSignal {
                 place(wire, path, &line.name, before);
             }
+        }
+    }
+    for block in module.multipliers() {
+        for (wire, scope, net) in places_inside(block) {
+            let path = inner(&inner(path, delays.block_name(block)), scope);
+            place(wire.0, &path, net, 0);
         }
     }
     for child in module.children() {

@@ -1,7 +1,9 @@
 //! Bits of nets that nothing reads, so that a linter need not be told to look away.
+use std::collections::HashSet;
+
 use super::{Nets, statement};
 use crate::block::{AtomKind, Module};
-use crate::design::{NodeId, Op};
+use crate::design::{MultiplierBlock, NodeId, Op};
 
 /// The bits of each net that nothing in the module reads, as Verilog selections in the order of the
 /// nets.
@@ -9,7 +11,14 @@ pub fn unread_bits(module: &Module, nets: &Nets) -> Vec<String> {
     let all: Vec<u64> =
         module.wires().iter().map(|w| u64::MAX >> (64 - w.wire_type().width)).collect();
     let mut unread = all.clone();
-    for cell in module.cells() {
+    let inside: HashSet<NodeId> =
+        module.multipliers().iter().flat_map(MultiplierBlock::inside).collect();
+    for block in module.multipliers() {
+        block.factors.iter().for_each(|factor| unread[factor.0 as usize] = 0);
+        let held = block.inside().filter(|&id| id != block.product);
+        held.for_each(|id| unread[id.0 as usize] = 0);
+    }
+    for cell in module.cells().filter(|cell| !inside.contains(&NodeId(cell.wire))) {
         let width = module.wires()[cell.wire as usize].wire_type().width;
         for operand in cell.op.operands() {
             let index = operand.0 as usize;

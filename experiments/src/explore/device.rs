@@ -1,6 +1,7 @@
 //! The resources of an FPGA that a core takes, as far as they can be known without FPGA tools.
 use serde::Serialize;
-use specula_datapath::{Design, target};
+use specula_datapath::Design;
+use specula_datapath::target::{self, Target};
 
 /// An FPGA, as its target's table has it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -24,7 +25,7 @@ pub struct Device {
 impl Device {
     /// The known devices.
     pub fn all() -> impl Iterator<Item = Device> {
-        target::families().flat_map(|family| {
+        Target::families().flat_map(|family| {
             let (target, block) = (family.name, family.multiplier.map(|block| block.widths));
             let device = move |device: target::Device| Device {
                 name: device.name,

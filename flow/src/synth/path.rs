@@ -160,16 +160,14 @@ fn kind(rest: &str) -> String {
 
 #[cfg(test)]
 pub(super) mod tests {
-    use std::rc::Rc;
 
-    use specula_datapath::target::Generic;
     use specula_datapath::{Builder, Format, InputPort};
 
     use super::*;
 
     /// c = a b + a.
     pub fn sum_and_product() -> Design {
-        let builder = Builder::new("demo", "c = a b + a", Rc::new(Generic));
+        let builder = Builder::new("demo", "c = a b + a");
         let control = builder.control();
         let byte = Format::unsigned(8, 0);
         let [a, b] = ["a", "b"].map(|name| builder.input(&InputPort::whole(name, byte)));

@@ -12,24 +12,40 @@ mod phong;
 mod reflection;
 mod slerp;
 
-use std::rc::Rc;
-
 use specula_spec::{CoreSpec, MethodSpec};
 
 use specula_datapath::builder::{BuildError, Builder};
 use specula_datapath::design::Design;
 use specula_datapath::graph::Graph;
-use specula_datapath::pass::compile;
-use specula_datapath::target::Generic;
+use specula_datapath::pass::{Pipelining, compile};
 
 /// The core that a spec asks for, elaborated under the module name `name`.
 ///
 /// # Errors
 /// [`BuildError`] if the spec's formats ask for a signal of more than 63 bits.
 pub fn elaborate(spec: &CoreSpec, name: &str) -> Result<Design, BuildError> {
-    let target = Rc::new(Generic);
-    let graph = graph(spec, |formula| Builder::new(name, formula, target.clone()))?;
-    Ok(compile(&graph, &*target)?)
+    let graph = graph(spec, |formula| Builder::new(name, formula))?;
+    // A spec's target is one of those there are, which `CoreSpec::check` asks for.
+    let target =
+        spec.target.as_ref().and_then(|clock| Some((clock.target().ok()?, clock.clock_mhz)));
+    let pipelining = match &target {
+        Some((target, mhz)) => Pipelining::ForClock { target, mhz: *mhz },
+        None => Pipelining::EachOperator,
+    };
+    Ok(compile(&graph, &pipelining)?)
+}
+
+/// The highest clock, in MHz, that the target of a spec allows its core; that of the spec where it
+/// has none.
+///
+/// # Errors
+/// As [`elaborate`].
+pub fn highest_clock(spec: &CoreSpec) -> Result<f64, BuildError> {
+    let Some(clock) = &spec.target else { return Ok(f64::INFINITY) };
+    let graph = graph(spec, |formula| Builder::new("core", formula))?;
+    let target = clock.target().ok();
+    Ok(target
+        .map_or(clock.clock_mhz, |target| specula_datapath::pass::highest_clock(&graph, &target)))
 }
 
 /// The core that a spec asks for, before any pass, described with the builder for its formula.

@@ -21,12 +21,9 @@ mod shape;
 mod square_root;
 mod time_slots;
 
-use std::rc::Rc;
-
 use proptest::test_runner::{Config as ProptestConfig, RngSeed};
 use specula_datapath::Design;
 use specula_datapath::builder::{Builder, Sig, TimeSlots};
-use specula_datapath::target::Generic;
 use specula_fixtures::clocked::{Drive, run};
 use specula_fixtures::specs::small_needs;
 use specula_scene::Needs;
@@ -41,7 +38,7 @@ struct Bench {
 
 impl Bench {
     fn new() -> Bench {
-        let b = Builder::new("bench", "", Rc::new(Generic));
+        let b = Builder::new("bench", "");
         let control = b.control();
         let slots = b.time_slots(&control, 1);
         Bench { b, slots, start: control.start }

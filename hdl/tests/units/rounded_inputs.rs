@@ -190,11 +190,7 @@ fn stated_facts_leave_errors_alone() {
 /// Of values that have a time slot each and are the same constant, the largest error counts.
 #[test]
 fn turns_that_are_all_the_same_have_the_largest_error() {
-    let b = specula_datapath::builder::Builder::new(
-        "bench",
-        "",
-        std::rc::Rc::new(specula_datapath::target::Generic),
-    );
+    let b = specula_datapath::builder::Builder::new("bench", "");
     let slots = b.time_slots(&b.control(), 2);
     let coarse = b.integer(0).override_error("stated", 0.25);
     for values in [[coarse.clone(), b.integer(0)], [b.integer(0), coarse]] {

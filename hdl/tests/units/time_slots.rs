@@ -5,7 +5,7 @@ use specula_fixtures::Draw;
 use specula_fixtures::clocked::{Drive, Runner, paused};
 use specula_spec::{Format, InputPort};
 
-use super::{Builder, Generic, Rc};
+use super::Builder;
 
 const STEPS: [i64; 3] = [1, 10, 100];
 
@@ -17,7 +17,7 @@ fn wanted(factor: i64, length: u32) -> Vec<[i64; 2]> {
 
 #[test]
 fn time_slots_have_values_of_their_own() {
-    let b = Builder::new("bench", "", Rc::new(Generic));
+    let b = Builder::new("bench", "");
     let control = b.control();
     let slots = b.time_slots(&control, 3);
     let input = |name: &str| {

@@ -92,7 +92,7 @@ fn source(library: &Library, places: &[usize]) -> String {
     boxes.retain(|child| !places.contains(child));
     let mut text: String = boxes.iter().map(|&child| modules[child].black_box()).collect();
     text.extend(places.iter().map(|&place| modules[place].source()));
-    text.extend(library.delay_modules());
+    text.extend(library.primitive_modules());
     // Writing to a String cannot fail.
     let _ = writeln!(text, "module {TOP};");
     for (number, name) in library.names(places).iter().enumerate() {

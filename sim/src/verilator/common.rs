@@ -2,11 +2,9 @@
 //! headers that all of them include.
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::rc::Rc;
 
 use specula_datapath::Design;
 use specula_datapath::builder::Builder;
-use specula_datapath::target::Generic;
 
 use super::{Effort, HEADERS, HEADERS_FILE, Kind, Verilator};
 use crate::SimError;
@@ -79,7 +77,7 @@ pub fn make(folder: &Path, kind: Kind, effort: Effort) -> Result<(), SimError> {
 
 /// A core from which what enters leaves.
 fn nothing() -> Design {
-    let b = Builder::new("nothing", "what enters leaves", Rc::new(Generic));
+    let b = Builder::new("nothing", "what enters leaves");
     let control = b.control();
     b.finish(&control.valid, &[("first", control.start)]).expect("it has bits alone")
 }

@@ -1,10 +1,8 @@
 //! Programs: a list of steps that is described to the builder on one side and worked out in plain
 //! numbers on the other.
-use std::rc::Rc;
 
 use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::design::Range;
-use specula_datapath::target::Generic;
 use specula_datapath::{Design, SpanPacket};
 use specula_spec::{Format, InputPort};
 
@@ -113,7 +111,7 @@ impl Program {
 
     /// The program as hardware.
     pub fn describe(&self) -> Result<Described, BuildError> {
-        let b = Builder::new("operators", "a test", Rc::new(Generic));
+        let b = Builder::new("operators", "a test");
         let control = b.control();
         let mut values: Vec<Sig> = self.ports.iter().map(|port| b.input(port)).collect();
         for step in &self.steps {

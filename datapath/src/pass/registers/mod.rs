@@ -3,11 +3,14 @@
 //!
 //! What a register keeps from pixel to pixel it changes with a valid pixel only: it has the pixel's
 //! validity at its own stage as its clock enable (decision 0021).
+mod multiplier;
 mod validity;
 
 use std::collections::{HashMap, HashSet};
 
-use crate::design::{Design, Node, NodeId, Op, Register, Scope, ScopeId};
+use crate::design::{
+    Design, MultiplierBlock, Node, NodeId, Op, Primitives, Register, Scope, ScopeId,
+};
 use crate::graph::{Graph, Pace, Value};
 use crate::names::{CONTROL, unique};
 
@@ -33,6 +36,7 @@ struct Placing<'a> {
     /// The delay register behind a signal, in its unit.
     delays: HashMap<NodeId, NodeId>,
     names: HashSet<(ScopeId, String)>,
+    multipliers: Vec<MultiplierBlock>,
     /// Signals that give the value of an input of their unit as an output, by that input.
     passed_through: HashMap<NodeId, NodeId>,
     /// The register of validity behind a bit of validity.
@@ -55,6 +59,7 @@ impl<'a> Placing<'a> {
             nodes: vec![],
             signals: vec![None; graph.values.len()],
             delays: HashMap::new(),
+            multipliers: vec![],
             names: of_values.chain(instances).chain(control).chain([own]).collect(),
             passed_through: HashMap::new(),
             valid_later: HashMap::new(),
@@ -64,13 +69,13 @@ impl<'a> Placing<'a> {
 
     /// Places a value with the delays that its operands need.
     fn place(&mut self, id: NodeId, value: &Value) {
-        let taken = self.schedule.operands_at(self.graph, value);
+        let taken = self.schedule.operands_at(id);
         if let (Op::Copy(operand), Pace::Meet) = (value.op, value.pace) {
             self.signals[id.0 as usize] = Some(self.aligned(self.signal(operand), taken));
             return;
         }
         let mut value = value.clone();
-        if value.pace != Pace::Feedback {
+        if !matches!(value.pace, Pace::Feedback | Pace::Cleared) {
             let leaves = self.graph.left_unit(&value).is_some();
             let op = value.op.map(|operand| match self.signals[operand.0 as usize] {
                 Some(signal) if leaves => {
@@ -82,20 +87,34 @@ impl<'a> Placing<'a> {
             });
             value.op = op;
         }
+        let node = self.operator(id, &value, taken);
+        let signal = match value.op {
+            Op::Mul(a, b) if self.schedule.in_block(id) => {
+                self.multiplied(node, [a, b], self.schedule.registers(id))
+            }
+            _ => self.push(node),
+        };
+        self.signals[id.0 as usize] = Some(self.aligned(signal, self.schedule.stage(id)));
+    }
+
+    /// The signal of a value with the register behind its operator; that of a product in a block is
+    /// at the stage of its factors.
+    fn operator(&self, id: NodeId, value: &Value, taken: u32) -> Node {
         let registers = self.schedule.registers(id);
-        let stage = self.schedule.stage(id) - registers.saturating_sub(1);
-        let register = if registers > 0 { Register::Data } else { Register::None };
-        let signal = self.push(Node {
+        let stage = match self.schedule.in_block(id) {
+            true => taken,
+            false => self.schedule.stage(id) - registers.saturating_sub(1),
+        };
+        Node {
             op: value.op,
-            register,
+            register: if registers > 0 { Register::Data } else { Register::None },
             range: value.range,
             fraction_bits: value.fraction_bits,
             stage,
             scope: value.scope,
-            name: value.name,
+            name: value.name.clone(),
             named: value.named,
-        });
-        self.signals[id.0 as usize] = Some(self.aligned(signal, self.schedule.stage(id)));
+        }
     }
 
     /// A signal of a unit as it leaves the unit: it is not itself an input, and if it is delayed on
@@ -180,28 +199,31 @@ impl<'a> Placing<'a> {
             let Some(own) = self.signals[index].filter(|_| self.graph.is_state(value)) else {
                 continue;
             };
-            let taken = self.schedule.operands_at(self.graph, value);
-            let op = value.op.map(|operand| self.aligned(self.signal(operand), taken));
-            self.nodes[own.0 as usize].op = self.with_valid_pixel(own, op, taken);
+            let taken = self.schedule.operands_at(NodeId(index as u32));
+            self.nodes[own.0 as usize].op = match value.op {
+                Op::Select(first, zero, next) if value.pace == Pace::Cleared => {
+                    let [zero, next] = [zero, next].map(|id| self.aligned(self.signal(id), taken));
+                    let first = self.aligned(self.signal(first), taken - 1);
+                    self.cleared_before(own, first, zero, next)
+                }
+                op => {
+                    let op = op.map(|operand| self.aligned(self.signal(operand), taken));
+                    self.with_valid_pixel(own, op, taken)
+                }
+            };
         }
     }
 
     fn finish(mut self, bounds: &Bounds) -> Design {
         let graph = self.graph;
         let leaving: Vec<(&str, NodeId)> = graph.leaving().collect();
-        let stage = |&(_, id): &(&str, NodeId)| self.schedule.stage(id);
-        let variable = leaving.iter().filter(|(_, id)| !graph.is_constant(*id));
-        // Validity has a register of its own also where every output is a constant.
-        let constant = leaving.iter().any(|(_, id)| graph.is_constant(*id));
-        let last = variable.map(stage).max().unwrap_or(0).max(u32::from(constant));
+        let last = self.schedule.last();
         let valid_out = self.valid_out(last);
         let outputs = leaving.into_iter().map(|(name, id)| self.output(id, last, name)).collect();
         let scopes = graph.units.iter().enumerate().map(|(index, unit)| {
             let (entry, exit) = match index {
                 0 => (0, last),
-                _ => [unit.inputs, unit.outputs]
-                    .map(|group| self.schedule.of_group(graph, group))
-                    .into(),
+                _ => [unit.inputs, unit.outputs].map(|group| self.schedule.of_group(group)).into(),
             };
             Scope {
                 unit: unit.name.clone(),
@@ -227,6 +249,8 @@ impl<'a> Placing<'a> {
             interval: graph.interval,
             valid_out,
             outputs,
+            primitives: Primitives::default(),
+            multipliers: self.multipliers,
             output_errors: graph.outputs.iter().map(|(_, id)| bounds.of(*id).error).collect(),
             left_out: graph.left_out.clone(),
         }

@@ -19,16 +19,37 @@ impl Placing<'_> {
     pub(super) fn with_valid_pixel(&mut self, own: NodeId, op: Op, stage: u32) -> Op {
         let valid = self.valid_in(self.node(own).scope, stage);
         match op {
-            Op::Select(enable, next, _) => Op::Select(self.both(valid, enable, own), next, own),
+            Op::Select(enable, next, _) => {
+                let name = format!("{}_enable", self.node(own).name);
+                Op::Select(self.both(valid, enable, &name), next, own)
+            }
             op => Op::Select(valid, op.operands().next().unwrap_or(own), own),
         }
     }
 
-    /// Two bits, both of which the register `own` waits for.
-    fn both(&mut self, valid: NodeId, enable: NodeId, own: NodeId) -> NodeId {
-        let name = format!("{}_enable", self.node(own).name);
+    /// The operator of a register that is cleared a clock before a valid pixel with `first`, and
+    /// takes over `next` with a valid pixel.
+    pub(super) fn cleared_before(
+        &mut self,
+        own: NodeId,
+        first: NodeId,
+        zero: NodeId,
+        next: NodeId,
+    ) -> Op {
+        let node = self.node(own).clone();
+        let coming = self.valid_in(node.scope, node.stage - 1);
+        let clear = self.both(coming, first, &format!("{}_clear", node.name));
+        let valid = self.valid_in(node.scope, node.stage);
+        let name = self.unique(node.scope, &format!("{}_next", node.name));
+        let (op, register, named) = (Op::Select(valid, next, own), Register::None, false);
+        let kept = self.push(Node { op, register, name, named, ..node });
+        Op::Select(clear, zero, kept)
+    }
+
+    /// Two bits, both of which are waited for.
+    fn both(&mut self, valid: NodeId, enable: NodeId, name: &str) -> NodeId {
         let node = self.node(valid).clone();
-        let name = self.unique(node.scope, &name);
+        let name = self.unique(node.scope, name);
         let (op, register) = (Op::And(valid, enable), Register::None);
         self.push(Node { op, register, name, named: false, ..node })
     }
@@ -43,7 +64,7 @@ impl Placing<'_> {
             return port;
         }
         let from = self.valid_in(outside, stage);
-        let entry = self.schedule.of_group(self.graph, self.graph.unit(scope).inputs);
+        let entry = self.schedule.of_group(self.graph.unit(scope).inputs);
         let name = match stage.saturating_sub(entry) {
             0 => "valid".to_owned(),
             clocks => format!("valid_{clocks}"),

@@ -1,0 +1,26 @@
+//! Comparisons: a < b where a - b is negative. A difference has one carry chain, of which the sign
+//! comes last; what synthesis makes of `<` has two, one behind the other.
+use super::{Lowering, place};
+use crate::design::{NodeId, Op};
+use crate::graph::Value;
+
+impl Lowering<'_> {
+    /// Whether the first value is less than the second.
+    pub(super) fn comparison(&mut self, value: Value, [a, b]: [NodeId; 2]) -> NodeId {
+        let with_zero = self.constant(b) == Some(0) || self.constant(a) == Some(0);
+        if with_zero || self.range(a).width().max(self.range(b).width()) <= NARROW {
+            return self.push(value);
+        }
+        let at = place(&value);
+        // A difference of signals is at most a bit wider than they are.
+        let Ok(range) = self.range(a).minus(self.range(b)).narrow() else {
+            return self.push(value);
+        };
+        let difference = self.new_sum(at, Op::Sub(a, b), range, "difference");
+        let zero = self.integer(at, 0);
+        self.push(Value { op: Op::LessThan(difference, zero), ..value })
+    }
+}
+
+/// Bits up to which a comparison is a few look-up tables.
+const NARROW: u32 = 2;

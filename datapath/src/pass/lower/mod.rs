@@ -1,0 +1,248 @@
+//! Operators as a target has them: products in multiplier blocks, products with constants as sums,
+//! long sums in pieces, comparisons as signs of differences.
+//!
+//! The pass makes a graph of a graph. What a value stands for stays: each value of the new graph that
+//! takes the place of one has its raw values, its name and its real values. What goes round a loop
+//! stays as it is, accumulators apart.
+mod accumulator;
+mod compare;
+mod constant;
+mod product;
+mod sum;
+
+use std::collections::{HashMap, HashSet};
+
+use super::loops::loops;
+use crate::design::{NodeId, Op, Range, ScopeId, WideRange};
+use crate::graph::{Graph, Pace, Value};
+use crate::names::unique;
+use crate::target::Target;
+use accumulator::{Accumulator, accumulators, changing};
+
+/// The graph with the operators of a target at a clock; itself where no delays of the target are
+/// known.
+pub fn lowered(graph: &Graph, target: &Target, mhz: f64) -> Graph {
+    let Some(fabric) = &target.fabric else { return graph.clone() };
+    let widest_sum = fabric.widest_sum(1000.0 / mhz).unwrap_or(1).max(NARROWEST_PIECE);
+    let mut lowering = Lowering::new(graph, target, widest_sum);
+    let loops = loops(graph);
+    let accumulators = accumulators(graph);
+    // The rest of an accumulator's loop is no loop any more.
+    let states = accumulators.values().map(|of| loops[of.state.0 as usize]);
+    let opened: HashSet<Option<usize>> = states.collect();
+    let rounds: HashSet<usize> =
+        (0..loops.len()).filter(|&index| opened.contains(&loops[index])).collect();
+    for (index, value) in graph.values.iter().enumerate() {
+        let own = lowering.operands_of(value);
+        let accumulator = accumulators.get(&NodeId(index as u32));
+        let new = match (accumulator, loops[index]) {
+            (Some(accumulator), _) => lowering.accumulated(own, *accumulator),
+            (None, Some(_)) if !rounds.contains(&index) => lowering.push(own),
+            (None, _) => lowering.operator(own),
+        };
+        lowering.new.push(new);
+    }
+    lowering.finish(&accumulators)
+}
+
+/// Bits below which a sum is not cut any further, however fast the clock.
+const NARROWEST_PIECE: u32 = 8;
+
+/// A graph that is being made of another.
+struct Lowering<'a> {
+    from: &'a Graph,
+    target: &'a Target,
+    /// Most bits of a sum in one piece.
+    widest_sum: u32,
+    /// The new graph; its groups and real values are those of the old one until the end.
+    graph: Graph,
+    /// The new value of each old one.
+    new: Vec<NodeId>,
+    names: HashSet<(ScopeId, String)>,
+    /// Which old values may change from pixel to pixel of a span.
+    changing: Vec<bool>,
+}
+
+/// Where a new value belongs, and what its name begins with.
+#[derive(Clone, Copy)]
+struct Place<'a> {
+    scope: ScopeId,
+    name: &'a str,
+    fraction_bits: u32,
+}
+
+impl<'a> Lowering<'a> {
+    fn new(from: &'a Graph, target: &'a Target, widest_sum: u32) -> Lowering<'a> {
+        let names = from.values.iter().map(|value| (value.scope, value.name.clone()));
+        let instances =
+            from.units.iter().filter_map(|unit| Some((unit.parent?, unit.instance.clone())));
+        let scopes = (0..from.units.len() as u32).map(ScopeId);
+        let control =
+            scopes.flat_map(|scope| crate::names::CONTROL.map(|name| (scope, name.to_owned())));
+        Lowering {
+            from,
+            target,
+            widest_sum,
+            names: names.chain(instances).chain(control).collect(),
+            graph: Graph { values: vec![], ..from.clone() },
+            new: vec![],
+            changing: changing(from),
+        }
+    }
+
+    /// A value of the old graph that reads values of the new one; registers of loops read what
+    /// comes later, and read it when all is there.
+    fn operands_of(&self, value: &Value) -> Value {
+        let new = |id: NodeId| self.new.get(id.0 as usize).copied().unwrap_or(id);
+        Value { op: value.op.map(new), ..value.clone() }
+    }
+
+    /// A value outside loops.
+    fn operator(&mut self, value: Value) -> NodeId {
+        match value.op {
+            Op::Mul(a, b) => self.product(value, [a, b]),
+            Op::Add(..) | Op::Sub(..) => self.sum(value),
+            Op::LessThan(a, b) => self.comparison(value, [a, b]),
+            _ => self.push(value),
+        }
+    }
+
+    /// The finished graph.
+    fn finish(mut self, accumulators: &HashMap<NodeId, Accumulator>) -> Graph {
+        let new = |id: NodeId| self.new[id.0 as usize];
+        let opened: HashSet<NodeId> = accumulators.values().map(|of| of.state).collect();
+        for (old, value) in self.from.values.iter().enumerate() {
+            if self.from.is_state(value) && !opened.contains(&NodeId(old as u32)) {
+                let own = new(NodeId(old as u32));
+                self.graph.values[own.0 as usize].op = value.op.map(new);
+            }
+        }
+        let graph = &mut self.graph;
+        graph.groups.iter_mut().flatten().for_each(|id| *id = new(*id));
+        graph.reals.iter_mut().for_each(|real| real.value = new(real.value));
+        graph.inputs.iter_mut().flatten().for_each(|id| *id = new(*id));
+        graph.assumptions.iter_mut().for_each(|assumption| assumption.node = new(assumption.node));
+        for id in [&mut graph.valid, &mut graph.start, &mut graph.leaves] {
+            *id = new(*id);
+        }
+        self.graph
+    }
+
+    fn push(&mut self, value: Value) -> NodeId {
+        self.graph.values.push(value);
+        NodeId(self.graph.values.len() as u32 - 1)
+    }
+
+    fn value(&self, id: NodeId) -> &Value {
+        self.graph.value(id)
+    }
+
+    fn range(&self, id: NodeId) -> Range {
+        self.value(id).range
+    }
+
+    fn constant(&self, id: NodeId) -> Option<i64> {
+        self.value(id).op.constant()
+    }
+
+    /// A new value, named after the one that it is a part of.
+    fn emit(&mut self, at: Place, op: Op, range: impl Into<WideRange>, part: &str) -> NodeId {
+        let name = unique(&mut self.names, at.scope, &format!("{}_{part}", at.name));
+        let wide: WideRange = range.into();
+        // Parts of values that fit 63 bits fit them, and so do partial sums that a bit is added to.
+        let range = wide.narrow().expect("a part of a value");
+        let (pace, together, fraction_bits) = (Pace::Target, None, at.fraction_bits);
+        let scope = at.scope;
+        self.push(Value { op, pace, together, range, fraction_bits, scope, name, named: false })
+    }
+
+    fn integer(&mut self, at: Place, value: i64) -> NodeId {
+        let (op, range) = (Op::Constant(value), Range::single(value));
+        let name = String::new();
+        let (pace, together, fraction_bits) = (Pace::Wire, None, at.fraction_bits);
+        let scope = at.scope;
+        self.push(Value { op, pace, together, range, fraction_bits, scope, name, named: true })
+    }
+
+    /// A value divided by 2^`bits`, rounded down.
+    fn high(&mut self, at: Place, id: NodeId, bits: u32) -> NodeId {
+        if bits == 0 {
+            return id;
+        }
+        if let Some((high, _)) = self.joined(id).filter(|(_, join)| *join == bits).map(|j| j.0) {
+            return high;
+        }
+        if let Op::ShiftLeft(from, by) = self.value(id).op {
+            match by.cmp(&bits) {
+                std::cmp::Ordering::Equal => return from,
+                std::cmp::Ordering::Greater => return self.shifted(at, from, by - bits),
+                std::cmp::Ordering::Less => return self.high(at, from, bits - by),
+            }
+        }
+        let range = self.range(id).shifted_right(bits);
+        match (self.constant(id), range.only()) {
+            (Some(value), _) => self.integer(at, value >> bits),
+            (_, Some(value)) => self.integer(at, value),
+            _ => self.emit(at, Op::ShiftRight(id, bits), range, "high"),
+        }
+    }
+
+    /// The low `bits` of a value, as a number without sign.
+    fn low(&mut self, at: Place, id: NodeId, bits: u32) -> NodeId {
+        let range = self.range(id);
+        if range.low >= 0 && range.width() <= bits {
+            return id;
+        }
+        if let Some((_, low)) = self.joined(id).filter(|(_, join)| *join == bits).map(|j| j.0) {
+            return low;
+        }
+        if let Some(value) = self.constant(id) {
+            return self.integer(at, crate::design::wrapped(value, bits, false));
+        }
+        if self.zeros(id) >= bits {
+            return self.integer(at, 0);
+        }
+        self.emit(at, Op::Wrap(id), Range::whole(bits, false), "low")
+    }
+
+    /// A value times 2^`bits`.
+    fn shifted(&mut self, at: Place, id: NodeId, bits: u32) -> NodeId {
+        if bits == 0 {
+            return id;
+        }
+        let range = self.range(id).shifted_left(bits);
+        match self.constant(id) {
+            Some(value) => self.integer(at, value << bits),
+            None => self.emit(at, Op::ShiftLeft(id, bits), range, "shifted"),
+        }
+    }
+
+    /// A value times 2^`bits`, and one of so many bits without sign behind it.
+    fn joined_with(&mut self, at: Place, high: NodeId, low: NodeId, bits: u32) -> Op {
+        let high = self.shifted(at, high, bits);
+        Op::Or(high, low)
+    }
+
+    /// What a value was put together of: high and low part, and the bits of the low one.
+    fn joined(&self, id: NodeId) -> Option<((NodeId, NodeId), u32)> {
+        let Op::Or(high, low) = self.value(id).op else { return None };
+        let Op::ShiftLeft(from, bits) = self.value(high).op else { return None };
+        let operation = |id: NodeId| (self.value(id).op, self.range(id));
+        self.value(id).op.is_join(operation).then_some(((from, low), bits))
+    }
+
+    /// Bits at the right that are always 0.
+    fn zeros(&self, id: NodeId) -> u32 {
+        match self.value(id).op {
+            Op::Constant(0) => 63,
+            Op::Constant(value) => value.trailing_zeros(),
+            Op::ShiftLeft(from, bits) => bits + self.zeros(from).min(32),
+            _ => 0,
+        }
+    }
+}
+
+/// The place of a value's parts.
+fn place(value: &Value) -> Place<'_> {
+    Place { scope: value.scope, name: &value.name, fraction_bits: value.fraction_bits }
+}

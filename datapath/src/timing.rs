@@ -1,0 +1,170 @@
+//! The clock that a target's delays predict for a design, and the path that limits it.
+use crate::design::{Design, Node, NodeId, Op};
+use crate::target::{Fabric, Shape, Target};
+
+/// The slowest path of a design between registers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Timing {
+    /// Nanoseconds from clock to clock.
+    pub period: f64,
+    /// The signals on the way, from the register where it begins; the last is a register too, or
+    /// leaves the design.
+    pub path: Vec<NodeId>,
+}
+
+impl Timing {
+    /// The analysis of a design; none where no delays of the target are known.
+    pub fn of(design: &Design, target: &Target) -> Option<Timing> {
+        let fabric = target.fabric.as_ref()?;
+        Some(Analysis::new(design, target, fabric).slowest())
+    }
+
+    /// The clock in MHz.
+    pub fn mhz(&self) -> f64 {
+        1000.0 / self.period
+    }
+}
+
+/// When signals are there, in nanoseconds after the clock.
+struct Analysis<'a> {
+    design: &'a Design,
+    target: &'a Target,
+    fabric: &'a Fabric,
+    /// What a multiplier block is of a signal, if it belongs to one.
+    parts: Vec<Option<Part>>,
+    arrivals: Vec<f64>,
+    /// The operand that comes last.
+    before: Vec<Option<NodeId>>,
+}
+
+/// What a signal is to the multiplier block that it belongs to.
+#[derive(Clone, Copy, PartialEq)]
+enum Part {
+    /// The register of a factor.
+    Taken,
+    /// A register between factors and product.
+    Pipelined,
+    /// The product, behind so many registers of the block.
+    Product(u32),
+}
+
+impl<'a> Analysis<'a> {
+    fn new(design: &'a Design, target: &'a Target, fabric: &'a Fabric) -> Analysis<'a> {
+        let mut parts = vec![None; design.nodes.len()];
+        for block in &design.multipliers {
+            let mut part = |id: NodeId, part| parts[id.0 as usize] = Some(part);
+            block.taken.into_iter().flatten().for_each(|id| part(id, Part::Taken));
+            block.pipelined.into_iter().for_each(|id| part(id, Part::Pipelined));
+            part(block.product, Part::Product(block.registers));
+        }
+        let count = design.nodes.len();
+        let (arrivals, before) = (vec![0.0; count], vec![None; count]);
+        Analysis { design, target, fabric, parts, arrivals, before }
+    }
+
+    fn slowest(mut self) -> Timing {
+        // Registers first: what reads them may come before them.
+        let starts: Vec<NodeId> =
+            self.design.iter().filter(|(_, node)| starts_path(node)).map(|(id, _)| id).collect();
+        for id in starts {
+            self.arrivals[id.0 as usize] = self.clock_to_output(id);
+        }
+        let mut slowest = (self.fabric.register, None);
+        for (id, node) in self.design.iter() {
+            if node.op.constant().is_some() || node.op == Op::Input {
+                continue;
+            }
+            let (arrival, last) = self.through(id, node);
+            if node.registered() {
+                self.before[id.0 as usize] = last;
+            } else {
+                (self.arrivals[id.0 as usize], self.before[id.0 as usize]) = (arrival, last);
+            }
+            if arrival > slowest.0 && self.ends_path(id, node) {
+                slowest = (arrival, Some(id));
+            }
+        }
+        Timing { period: slowest.0, path: self.path(slowest.1) }
+    }
+
+    /// From the clock to what a register gives.
+    fn clock_to_output(&self, id: NodeId) -> f64 {
+        match self.parts[id.0 as usize] {
+            Some(Part::Product(registers)) if registers > 0 => self.pipeline(registers).1,
+            _ => self.fabric.register,
+        }
+    }
+
+    /// Nanoseconds into a block with so many registers, and out of it.
+    fn pipeline(&self, registers: u32) -> (f64, f64) {
+        let pipelines = self.target.multiplier.iter().flat_map(|block| &block.pipeline);
+        let matching = pipelines.filter(|pipeline| pipeline.clocks <= registers).last();
+        matching.map_or((0.0, 0.0), |pipeline| (pipeline.into, pipeline.out))
+    }
+
+    /// When the operator's result is there, and the operand that comes last.
+    fn through(&self, id: NodeId, node: &Node) -> (f64, Option<NodeId>) {
+        let part = self.parts[id.0 as usize];
+        if part == Some(Part::Pipelined) || matches!(part, Some(Part::Product(2..))) {
+            return (0.0, None);
+        }
+        let enabled = node.clock_enable(id);
+        let operands: Vec<NodeId> = match enabled {
+            Some((enable, next)) => vec![enable, next],
+            None => node.op.operands().collect(),
+        };
+        let last = operands
+            .into_iter()
+            .filter(|&operand| operand != id && self.design.node(operand).op.constant().is_none())
+            .max_by(|a, b| self.arrival(*a).total_cmp(&self.arrival(*b)));
+        let arrival = last.map_or(0.0, |last| self.arrival(last));
+        let delay = match (part, enabled) {
+            (Some(Part::Taken), _) => self.fabric.net + self.pipeline(2).0,
+            (_, Some(_)) => 0.0,
+            _ => self.operator(node),
+        };
+        (arrival + delay, last)
+    }
+
+    fn arrival(&self, id: NodeId) -> f64 {
+        self.arrivals[id.0 as usize]
+    }
+
+    /// Nanoseconds through an operator in the fabric, or through a block without registers before
+    /// the product.
+    fn operator(&self, node: &Node) -> f64 {
+        let operation = |id: NodeId| (self.design.node(id).op, self.design.node(id).range);
+        if node.op.is_join(operation) {
+            return 0.0;
+        }
+        let width = |id: NodeId| match self.design.node(id).op {
+            Op::Constant(0) => 0,
+            _ => self.design.node(id).width(),
+        };
+        match Shape::of(&node.op, node.width(), width) {
+            Shape::Product => self.fabric.net + self.pipeline(0).0,
+            shape => self.fabric.delay(shape),
+        }
+    }
+
+    /// Whether a signal is taken by a register, or leaves the design.
+    fn ends_path(&self, id: NodeId, node: &Node) -> bool {
+        node.registered() || self.design.outputs.contains(&id)
+    }
+
+    fn path(&self, last: Option<NodeId>) -> Vec<NodeId> {
+        let mut path: Vec<NodeId> = last.into_iter().collect();
+        let mut at = last.and_then(|last| self.before[last.0 as usize]);
+        while let Some(id) = at {
+            path.push(id);
+            let node = self.design.node(id);
+            at = if starts_path(node) { None } else { self.before[id.0 as usize] };
+        }
+        path.reverse();
+        path
+    }
+}
+
+fn starts_path(node: &Node) -> bool {
+    node.registered() || node.op == Op::Input
+}
