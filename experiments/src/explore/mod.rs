@@ -92,7 +92,7 @@ pub fn explore(
     let tried: Vec<Explored> = searched.into_iter().flat_map(|searched| searched.tried).collect();
     let number = tried.len();
     let front = measured(front(tried), frame)?;
-    let fits = |core: &Explored| wanted.device.is_none_or(|device| core.cost.fits(&device));
+    let fits = |core: &Explored| wanted.device.as_ref().is_none_or(|device| core.cost.fits(device));
     let best = front.iter().position(|core| core.error <= wanted.most && fits(core));
     Ok(Exploration { front, best, tried: number, refused })
 }
