@@ -165,7 +165,7 @@ impl<'a> Report<'a> {
             cycles_per_pixel: run.cycles_per_pixel(),
             clock_mhz: run.clock.mhz,
             frames_per_second: run.frames_per_second(),
-            fitted: run.fitted,
+            fitted: run.fitted.clone(),
             begin,
             simulation_seconds: outcome.simulation_seconds,
             error: &comparison.errors,

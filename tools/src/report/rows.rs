@@ -16,7 +16,7 @@ pub fn speed(report: &Report) -> [[String; 2]; 4] {
 
 /// The device and the share of it that the core takes, if the user named a device.
 pub fn device(report: &Report) -> Option<[String; 2]> {
-    report.fitted.map(|fitted| ["device".to_owned(), fitted.in_words()])
+    report.fitted.as_ref().map(|fitted| ["device".to_owned(), fitted.in_words()])
 }
 
 /// Error figures: largest, root mean square and mean in LSBs, and the PSNR in dB.
