@@ -16,7 +16,7 @@
 //! constraints.]
 use super::Schedule;
 use super::difference::{Differences, Solution, Variable};
-use super::paths::{Paths, TooLong};
+use super::paths::Paths;
 use crate::design::{NodeId, Op};
 use crate::graph::{Graph, Pace, Value};
 use crate::target::Target;
@@ -41,9 +41,14 @@ pub fn longest(graph: &Graph, target: &Target, mhz: f64) -> f64 {
     let Some(fabric) = &target.fabric else { return 0.0 };
     let paths = Paths::new(graph, target, fabric, 1000.0 / mhz);
     let programme = Programme::new(graph, &paths);
-    let tied = programme.differences.tied();
-    let in_loops = paths.too_long().into_iter().filter(|path| programme.is_in_loop(path, &tied));
-    in_loops.map(|path| path.delay).chain([paths.longest_operator()]).fold(0.0, f64::max)
+    let tied = programme.tied();
+    let mut in_loops = paths.too_long(&tied);
+    in_loops.retain(|path| tied(path.from, path.to));
+    in_loops
+        .into_iter()
+        .map(|path| path.delay)
+        .chain([paths.longest_operator()])
+        .fold(0.0, f64::max)
 }
 
 /// The linear programme of a graph.
@@ -130,16 +135,20 @@ impl<'a> Programme<'a> {
         }
     }
 
-    /// Whether both ends of a path are in the one clock of a loop.
-    fn is_in_loop(&self, path: &TooLong, tied: &[Option<usize>]) -> bool {
-        let [from, to] = [path.from, path.to].map(|id| self.taken(id));
-        from == to || tied[from.index()].is_some() && tied[from.index()] == tied[to.index()]
+    /// Whether two values are in the one clock of a loop.
+    fn tied(&self) -> impl Fn(NodeId, NodeId) -> bool + use<> {
+        let sets = self.differences.tied();
+        let taken = self.taken.clone();
+        move |from, to| {
+            let [from, to] = [from, to].map(|id| taken[id.0 as usize].index());
+            from == to || sets[from].is_some() && sets[from] == sets[to]
+        }
     }
 
     fn separate_long_paths(&mut self) {
-        let tied = self.differences.tied();
-        let mut paths = self.paths.too_long();
-        paths.retain(|path| !self.is_in_loop(path, &tied));
+        let tied = self.tied();
+        let mut paths = self.paths.too_long(&tied);
+        paths.retain(|path| !tied(path.from, path.to));
         for path in paths {
             let stage = self.taken(path.to);
             self.there(path.from, stage, 1 + i64::from(path.clocks));
