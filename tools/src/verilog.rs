@@ -5,9 +5,10 @@ use std::path::Path;
 use specula_datapath::Design;
 use specula_datapath::verilog::{self, Header};
 use specula_scene::builtin_names;
-use specula_spec::{CoreSpec, SpecFile};
+use specula_spec::{CoreSpec, SpecFile, TargetClock};
 
 use crate::arguments::{CoreArguments, NameArguments, SceneArguments};
+use crate::made_for::MadeFor;
 use crate::table;
 
 /// The Verilog of a core as text.
@@ -44,8 +45,13 @@ impl Origin {
             .map(|wish| format!(" --specialise {}", wish.name()))
             .unwrap_or_default();
         let error = core.max_error.map(|lsb| format!(" --max-error {lsb}lsb")).unwrap_or_default();
+        let target = spec.target.as_ref().map(|clock| {
+            let TargetClock { name, clock_mhz } = clock;
+            format!(" --target {name} --clock {clock_mhz}")
+        });
+        let target = target.unwrap_or_default();
         let command = format!(
-            "specula generate {}{size} --method {method}{specialise}{error}",
+            "specula generate {}{size} --method {method}{specialise}{error}{target}",
             quoted(&scene)
         );
         Origin { scene, command }
@@ -128,6 +134,9 @@ pub fn header(origin: &Origin, spec: &CoreSpec, design: &Design) -> Header {
         "Error bound: {} of the 8-bit output, against the same method in exact arithmetic.",
         bound(design.error_bound())
     ));
+    if let Some(made_for) = MadeFor::of(spec, design) {
+        lines.push(format!("Made for {}.", made_for.in_words()));
+    }
     let protocol = protocol(design);
     lines.extend(
         ["", &protocol, "", "Made by:"].iter().flat_map(|text| text.split('\n')).map(str::to_owned),
