@@ -57,8 +57,8 @@ struct Analysis<'a> {
 /// What a signal is to the multiplier block that it belongs to.
 #[derive(Clone, Copy, PartialEq)]
 enum Part {
-    /// The register of a factor.
-    Taken,
+    /// The register of a factor, in a block with so many registers.
+    Taken(u32),
     /// A register between factors and product.
     Pipelined,
     /// The product, behind so many registers of the block.
@@ -70,7 +70,7 @@ impl<'a> Analysis<'a> {
         let mut parts = vec![None; design.nodes.len()];
         for block in &design.multipliers {
             let mut part = |id: NodeId, part| parts[id.0 as usize] = Some(part);
-            block.taken.into_iter().flatten().for_each(|id| part(id, Part::Taken));
+            block.taken.into_iter().flatten().for_each(|id| part(id, Part::Taken(block.registers)));
             block.pipelined.into_iter().for_each(|id| part(id, Part::Pipelined));
             part(block.product, Part::Product(block.registers));
         }
@@ -140,7 +140,7 @@ impl<'a> Analysis<'a> {
             .max_by(|a, b| self.arrival(*a).total_cmp(&self.arrival(*b)));
         let arrival = last.map_or(0.0, |last| self.arrival(last));
         let delay = match (part, enabled) {
-            (Some(Part::Taken), _) => self.fabric.net + self.pipeline(2).0,
+            (Some(Part::Taken(registers)), _) => self.fabric.net + self.pipeline(registers).0,
             (_, Some(_)) => 0.0,
             _ => self.operator(node),
         };

@@ -15,7 +15,7 @@ pub struct ClockArguments {
 impl ClockArguments {
     /// The clock that the user gives, or the assumed one.
     pub fn clock(&self) -> Clock {
-        self.mhz.map_or(Clock::ASSUMED, |mhz| Clock { mhz, assumed: false })
+        self.mhz.map_or(Clock::ASSUMED, Clock::given)
     }
 }
 
