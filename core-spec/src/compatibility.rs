@@ -123,6 +123,10 @@ impl CoreParameters {
                 [&self.local_lights, &needs.local_lights].map(|lights| in_words(lights));
             return lacks(format!("its lights at places are: {has}"), format!("has: {needs}"));
         }
+        if needs.materials > 1 && !self.several_materials {
+            let has = "its colours and exponents hold for a frame".to_owned();
+            return lacks(has, format!("has {} materials", needs.materials));
+        }
         let eye = |local: bool| if local { "at a place" } else { "at infinity" };
         if self.local_eye != needs.local_eye {
             return lacks(

@@ -1,5 +1,5 @@
 //! An input of a core, and what it tells of a scene.
-use specula_datapath::{Format, InputPort};
+use specula_datapath::{Format, Hold, InputPort};
 
 /// What an input tells of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,9 +52,21 @@ pub struct CoreInput {
 }
 
 impl CoreInput {
+    /// All that a role tells but of the surface stands still for a frame, as far as the core's
+    /// parameters allow.
+    fn of_port(role: InputRole, port: InputPort) -> CoreInput {
+        let hold = if role == InputRole::Surface { Hold::Span } else { Hold::Frame };
+        CoreInput { port: InputPort { hold, ..port }, role }
+    }
+
+    /// The same input where set-up gives it other values from span to span, whatever its role.
+    pub(crate) fn held_for_a_span(self) -> CoreInput {
+        CoreInput { port: InputPort { hold: Hold::Span, ..self.port }, ..self }
+    }
+
     /// An input that takes every value of its format.
     pub(crate) fn whole(role: InputRole, name: impl Into<String>, format: Format) -> CoreInput {
-        CoreInput { port: InputPort::whole(name, format), role }
+        CoreInput::of_port(role, InputPort::whole(name, format))
     }
 
     /// An input that takes values from `low` to `high`.
@@ -65,7 +77,7 @@ impl CoreInput {
         low: f64,
         high: f64,
     ) -> CoreInput {
-        CoreInput { port: InputPort::between(name, format, low, high), role }
+        CoreInput::of_port(role, InputPort::between(name, format, low, high))
     }
 
     /// Inputs for a vector's components, each from -`limit` to `limit`.
@@ -75,7 +87,7 @@ impl CoreInput {
         format: Format,
         limit: f64,
     ) -> [CoreInput; 3] {
-        InputPort::vector(name, format, limit).map(|port| CoreInput { port, role })
+        InputPort::vector(name, format, limit).map(|port| CoreInput::of_port(role, port))
     }
 
     /// Inputs for the coefficients of the three channels.

@@ -1,8 +1,8 @@
 //! A core: parameters, a method, and what its inputs are given.
-use specula_datapath::{Format, InputPort};
+use specula_datapath::{Format, Hold, InputPort};
 use specula_scene::needs::Needs;
 
-use crate::core_input::InputRole;
+use crate::core_input::{CoreInput, InputRole};
 use crate::defaults::span_bits;
 use crate::error::SpecError;
 use crate::inputs::{CoreInputs, InputGroup, MethodInputs};
@@ -62,24 +62,22 @@ impl CoreSpec {
             specialisation: Specialisation::default(),
             target: None,
         };
-        let spec = spec.for_highlights(needs, &table.method_table(method));
+        let spec = spec.for_highlights(needs, &table.named_formats(method));
         spec.check()?;
         spec.method.shading().check_compatible(needs)?;
         Ok(spec)
     }
 
     /// The same core with finer formats where a colour is brighter than full scale, but for those
-    /// that `changes` names.
+    /// that are `named`.
     ///
     /// docs/numerics.md recommends formats by errors of intensities times full scale. Twice as
     /// bright, and those errors are twice as large: a bit more in every format. Two are the most,
     /// since what is four times full scale is white but for the highlight's edge.
-    fn for_highlights(self, needs: &Needs, changes: &toml::Table) -> CoreSpec {
+    fn for_highlights(self, needs: &Needs, named: &[String]) -> CoreSpec {
         let bits =
             needs.brightest_coefficient.max(1.0).log2().ceil().min(MOST_BITS_FOR_HIGHLIGHTS) as i32;
-        let formats = changes.get("formats").and_then(toml::Value::as_table);
-        let kept: Vec<&str> =
-            formats.into_iter().flat_map(toml::Table::keys).map(String::as_str).collect();
+        let kept: Vec<&str> = named.iter().map(String::as_str).collect();
         (1..=bits).rev().find_map(|added| self.finer(added, &kept)).unwrap_or(self)
     }
 
@@ -114,7 +112,7 @@ impl CoreSpec {
     /// `start` come beside them.
     pub fn inputs(&self) -> Vec<InputPort> {
         let inputs = self.method.core_inputs(&self.parameters);
-        inputs.iter().map(|input| self.specialisation.narrowed(&input.port)).collect()
+        inputs.iter().map(|input| self.port(input)).collect()
     }
 
     /// What each of [`CoreSpec::inputs`] tells of a scene.
@@ -126,7 +124,16 @@ impl CoreSpec {
     /// them.
     pub fn ports<M: MethodInputs>(&self, method: &M) -> Ports<M> {
         let inputs = method.core_inputs(&self.parameters);
-        inputs.map(|input| self.specialisation.narrowed(&input.port))
+        inputs.map(|input| self.port(input))
+    }
+
+    /// The port of an input of the method, as it is here.
+    fn port(&self, input: &CoreInput) -> InputPort {
+        let hold = match input.port.hold {
+            Hold::Frame => self.parameters.hold(input.role, self.places_seen_from()),
+            Hold::Span => Hold::Span,
+        };
+        InputPort { hold, ..self.specialisation.narrowed(&input.port) }
     }
 
     /// Every place where the method rounds values, in the order of the data.

@@ -23,6 +23,35 @@ impl CoreSpec {
         let changed = self.with_formats(&formats).ok()?;
         (added == 0 || changed != *self).then_some(changed)
     }
+
+    /// The same core for any scene with these numbers of fraction bits at its narrowing points, in
+    /// their order, each as near as the others let it be; none where no such core can be described.
+    pub fn with_fraction_bits(&self, wanted: &[u32]) -> Option<CoreSpec> {
+        let mut spec = self.general();
+        // Limits depend on other formats, along chains no longer than the list of all.
+        for _ in wanted {
+            let points = spec.narrowing_points();
+            let formats = points.iter().zip(wanted).map(|(point, &wanted)| {
+                let most = point.most_fraction_bits.max(point.fewest_fraction_bits);
+                let fraction_bits = wanted.clamp(point.fewest_fraction_bits, most);
+                (point.name, Format { fraction_bits, ..point.format })
+            });
+            let near = spec.changed(formats)?;
+            if near == spec {
+                break;
+            }
+            spec = near;
+        }
+        spec.check().ok()?;
+        Some(spec)
+    }
+
+    fn changed<'a>(&self, formats: impl Iterator<Item = (&'a str, Format)>) -> Option<CoreSpec> {
+        let formats = formats.map(|(name, format)| (name.to_owned(), format.to_string().into()));
+        let changes = [("formats".to_owned(), toml::Value::Table(formats.collect()))];
+        let method = self.method.changed(&changes.into_iter().collect()).ok()?;
+        Some(CoreSpec { method, ..self.clone() })
+    }
 }
 
 #[cfg(test)]
@@ -50,6 +79,34 @@ mod tests {
                         "{} {} {brightest}",
                         method.name(),
                         full.name
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn fraction_bits_are_as_near_as_others_let_them_be() {
+        let needs = Needs::of(&load("teapot", Some((40, 30))).unwrap().frame);
+        for method in Method::ALL {
+            let spec = CoreSpec::for_scene(&needs, None, Some(method)).unwrap();
+            let bits = |spec: &CoreSpec| -> Vec<u32> {
+                spec.narrowing_points().iter().map(|point| point.format.fraction_bits).collect()
+            };
+            assert_eq!(spec.with_fraction_bits(&bits(&spec)).as_ref(), Some(&spec));
+            let finer: Vec<u32> = bits(&spec).iter().map(|bits| bits + 1).collect();
+            assert_eq!(bits(&spec.with_fraction_bits(&finer).unwrap()), finer, "{}", method.name());
+            for wanted in [0, 99] {
+                let spec = spec.with_fraction_bits(&vec![wanted; finer.len()]).unwrap();
+                for point in spec.narrowing_points() {
+                    let limits = [point.fewest_fraction_bits, point.most_fraction_bits];
+                    let limit = limits[usize::from(wanted > 0)];
+                    assert_eq!(
+                        point.format.fraction_bits,
+                        limit,
+                        "{} {}",
+                        method.name(),
+                        point.name
                     );
                 }
             }

@@ -46,7 +46,7 @@ mod specialisation;
 mod specialise;
 mod target_clock;
 
-pub use specula_datapath::{Format, InputPort, SpanPacket, format};
+pub use specula_datapath::{Format, Hold, InputPort, SpanPacket, format};
 
 pub use compatibility::FittedCore;
 pub use consistent::{ConsistentInputs, ConsistentSpec};

@@ -32,6 +32,13 @@ impl CoreOptions {
             .map(|(_, table)| table.clone())
             .unwrap_or_default()
     }
+
+    /// The narrowing points of a method whose formats are named.
+    pub fn named_formats(&self, method: Method) -> Vec<String> {
+        let table = self.method_table(method);
+        let formats = table.get("formats").and_then(toml::Value::as_table);
+        formats.into_iter().flat_map(toml::Table::keys).cloned().collect()
+    }
 }
 
 impl FromStr for CoreOptions {

@@ -1,10 +1,12 @@
 //! What a core has whatever its method is.
-use specula_datapath::Format;
+use specula_datapath::{Format, Hold};
 use specula_scene::limits::{LARGEST_SHININESS, LONGEST_SPAN, MOST_LIGHTS};
 use specula_scene::needs::{LocalKind, Needs};
 
+use crate::core_input::InputRole;
 use crate::error::{SpecError, within};
 use crate::light_pipelines::LightPipelines;
+use crate::shading_method::Viewpoint;
 
 /// Fraction bits of colour coefficients, which count LSBs of the 8-bit output: 2^-7 LSB is lost at
 /// most in each.
@@ -23,6 +25,9 @@ pub struct CoreParameters {
     pub local_lights: Vec<LocalKind>,
     /// Whether the eye that sees highlights is at a place.
     pub local_eye: bool,
+    /// Whether spans of a frame may have different materials. If not, exponents and colours hold for
+    /// a frame.
+    pub several_materials: bool,
     /// Whether lights share a pipeline.
     pub light_pipelines: LightPipelines,
     /// Longest span the core can take, in pixels.
@@ -55,6 +60,7 @@ impl CoreParameters {
             lights: needs.lights,
             local_lights: needs.local_lights.clone(),
             local_eye: needs.local_eye,
+            several_materials: needs.materials > 1,
             light_pipelines,
             longest_span: needs.longest_span.next_power_of_two(),
             largest_shininess: needs.largest_shininess,
@@ -79,6 +85,26 @@ impl CoreParameters {
             LocalKind::Spot { exponent } => *exponent,
         };
         self.local_lights.iter().map(exponent).max().unwrap_or(1)
+    }
+
+    /// Whether the directions to all lights and to the eye are the same at every pixel.
+    fn directions_are_constant(&self) -> bool {
+        self.local_lights.is_empty() && !self.local_eye
+    }
+
+    /// For how long inputs of a role stand still, unless they are held for a span anyway; lights and
+    /// the eye at places are seen from `viewpoint`.
+    pub(crate) fn hold(&self, role: InputRole, viewpoint: Viewpoint) -> Hold {
+        let of_material = !self.several_materials;
+        let of_lights = self.directions_are_constant() || viewpoint != Viewpoint::Span;
+        let holds = match role {
+            InputRole::Light => of_lights,
+            InputRole::Exponent | InputRole::Ambient => of_material,
+            // What reaches a span of a light at a place is part of them.
+            InputRole::Diffuse | InputRole::Specular => of_material && of_lights,
+            InputRole::Surface => false,
+        };
+        if holds { Hold::Frame } else { Hold::Span }
     }
 
     /// The initiation interval: clocks from one pixel to the next.

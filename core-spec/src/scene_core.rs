@@ -35,6 +35,12 @@ pub trait SceneCore {
     /// # Errors
     /// As [`SceneCore::core_spec`].
     fn core_for(&self, needs: &Needs, method: Option<Method>) -> Result<CoreSpec, CoreError>;
+
+    /// The narrowing points of `method` whose formats the scene file's `[core]` table names.
+    ///
+    /// # Errors
+    /// A [`CoreError`] that points at the table, if it cannot be read.
+    fn named_formats(&self, method: Method) -> Result<Vec<String>, CoreError>;
 }
 
 impl SceneCore for LoadedScene {
@@ -61,6 +67,10 @@ impl SceneCore for LoadedScene {
             Specialise::General => spec,
             Specialise::Scene => without_interpolation(spec, needs, options.as_ref()),
         })
+    }
+
+    fn named_formats(&self, method: Method) -> Result<Vec<String>, CoreError> {
+        Ok(core_options(self)?.map(|options| options.named_formats(method)).unwrap_or_default())
     }
 }
 

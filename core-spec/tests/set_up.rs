@@ -1,10 +1,11 @@
 //! Spans that are set up one behind the other, and cores for one frame that need none.
 use specula_fixtures::each_method;
-use specula_scene::{Frame, LoadedScene, load};
-use specula_spec::{CoreSpec, Format, Method, SceneCore, SetUp};
+use specula_scene::{Frame, LoadedScene, Needs, builtin_names, load};
+use specula_spec::{CoreOptions, CoreSpec, Format, Hold, Method, SceneCore, SetUp};
 
 each_method!(spans_are_appended);
 each_method!(a_place_within_the_core_needs_no_set_up);
+each_method!(what_holds_for_a_frame_is_the_same_in_every_span);
 
 /// Scenes with lights at infinity and at places, small.
 fn scenes() -> [LoadedScene; 2] {
@@ -56,4 +57,59 @@ fn a_place_within_the_core_needs_no_set_up(method: Method) {
         }
         assert!(0 < taken && taken < points, "{taken} of {points}");
     }
+}
+
+/// In every scene, with every option of the method, and in a frame with a span that has no normal.
+/// What does not hold for a frame differs somewhere, or need not.
+fn what_holds_for_a_frame_is_the_same_in_every_span(method: Method) {
+    let mut frames: Vec<Frame> = builtin_names()
+        .iter()
+        .map(|name| load(name, Some((48, 36))).expect("it is built in").frame)
+        .collect();
+    frames.push(without_a_normal(frames[0].clone()));
+    for frame in &frames {
+        let needs = Needs { uneven_shininess: None, ..Needs::of(frame) };
+        for table in tables(method) {
+            let Ok(core) = CoreSpec::for_scene(&needs, Some(&table), Some(method)) else {
+                continue;
+            };
+            assert_eq!(moving_input(&core, frame), None, "{core:?}");
+        }
+    }
+    // The teapot has one material under lights at infinity.
+    let core = CoreSpec::for_scene(&Needs::of(&frames[0]), None, Some(method)).unwrap();
+    let held = core.inputs().iter().filter(|port| port.hold == Hold::Frame).count();
+    assert!(held >= 9, "colours at least, and not {held}");
+}
+
+/// The first input that holds for a frame and is not the same in every span.
+fn moving_input(core: &CoreSpec, frame: &Frame) -> Option<String> {
+    let set_up = SetUp::new(core, frame);
+    let first = set_up.packet(&frame.spans[0]).inputs;
+    let mut others = frame.spans[1..].iter().map(|span| set_up.packet(span).inputs);
+    let ports = core.inputs();
+    let moves = |inputs: Vec<i64>| {
+        let mut held = (0..ports.len()).filter(|&input| ports[input].hold == Hold::Frame);
+        held.find(|&input| inputs[input] != first[input])
+    };
+    others.find_map(moves).map(|input| ports[input].name.clone())
+}
+
+/// The same frame, the last span of which has no normal.
+fn without_a_normal(mut frame: Frame) -> Frame {
+    let last = frame.spans.last().expect("it shows something").triangle;
+    frame.triangles[last].normals = Default::default();
+    frame
+}
+
+/// The options of a method: none, and each with each of its values.
+fn tables(method: Method) -> impl Iterator<Item = CoreOptions> {
+    let options = method
+        .option_domains()
+        .iter()
+        .flat_map(|option| option.values.iter().map(|value| format!("{} = {value}", option.key)));
+    [String::new()].into_iter().chain(options).map(move |option| {
+        let beside = if option.starts_with("frame ") { "form = \"vector\"" } else { "" };
+        format!("[{}]\n{option}\n{beside}", method.name()).parse().expect("it is TOML")
+    })
 }

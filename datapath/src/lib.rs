@@ -46,6 +46,12 @@
 //! with the same inputs, loads them. They step with a valid pixel only, so that a span may pause in
 //! any clock: `valid` is then low, inputs stay, and `start` means nothing.
 //!
+//! **Inputs** are held while their span goes in. One that holds for a *frame* ([`Hold::Frame`]) is
+//! quasi-static: it may change only while no pixel is under way, that is, after the clock in which
+//! the last one leaves, and has then to stand for [`settling`](Design::settling) clocks before the
+//! next pixel enters. What is computed of such inputs alone, outside loops, is *still*: it is there
+//! at any time, moves no other value's stage, and is read without any delay register.
+//!
 //! # What comes of it
 //!
 //! ```text
@@ -81,4 +87,4 @@ pub use builder::{BuildError, Builder};
 pub use design::Design;
 pub use format::{Format, FormatError};
 pub use packet::SpanPacket;
-pub use port::InputPort;
+pub use port::{Hold, InputPort};

@@ -5,35 +5,71 @@ use specula_golden::fixed::Model;
 use specula_scene::Frame;
 use specula_spec::{CoreSpec, Format};
 
+use crate::picture::ExactPicture;
 use specula_testbench::BenchError;
 use specula_testbench::FrameSpans;
 
 /// Largest number of fraction bits that are added to the default formats.
 const MAX_ADDED: i32 = 6;
 
+/// Which error is measured on every pixel of a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Measured {
+    /// Against exact shading.
+    Total,
+    /// Against exact shading by the core's own method.
+    Quantisation,
+}
+
+impl Measured {
+    /// What codes are compared with.
+    fn against(self) -> &'static str {
+        match self {
+            Measured::Total => "exact shading",
+            Measured::Quantisation => "exact shading by that method",
+        }
+    }
+}
+
 /// The reason why no core was found.
 #[derive(Clone, Debug, PartialEq, thiserror::Error, miette::Diagnostic)]
 #[error(
-    "no formats keep `{method}` within {wanted} LSB of exact shading by that method; the best that were tried come to {best:.3} LSB"
+    "no formats keep `{method}` within {wanted} LSB of {} on this scene; the best that were tried come to {best:.3} LSB{}",
+    measured.against(),
+    own_in_words(*own)
 )]
 #[diagnostic(
     code(specula::search),
     help(
-        "ask for more; rounding to 8 bits alone takes up to 0.5 LSB, so 1lsb is what can be asked of most scenes"
+        "ask for more; rounding to 8 bits alone takes up to 0.5 LSB, and a total error contains the method's own"
     )
 )]
 pub struct NotFound {
     /// The method.
     pub method: &'static str,
+    /// The error that was measured.
+    pub measured: Measured,
     /// The error asked for, in LSBs.
     pub wanted: f64,
     /// The smallest error found, in LSBs.
     pub best: f64,
+    /// The error of the method in exact arithmetic, in LSBs, if that alone is larger than what was
+    /// asked for.
+    pub own: Option<f64>,
 }
 
-/// `start` with the narrowest formats found that keep every pixel of `frame` within `most` LSBs of
-/// exact shading by its method, including the rounding to 8 bits. Each trial is measured on all
-/// pixels with the bit-true model.
+fn own_in_words(own: Option<f64>) -> String {
+    let in_words = |own| {
+        format!(
+            "; the method's own error, in exact arithmetic, is {own:.3} LSB, which no format lowers"
+        )
+    };
+    own.map(in_words).unwrap_or_default()
+}
+
+/// `start` with the narrowest formats found whose error on `frame` is `most` LSBs at most on every
+/// pixel, including the rounding to 8 bits. Each trial is measured on all pixels with the bit-true
+/// model.
 ///
 /// All formats are narrowed together, starting at the documented defaults (or at finer ones, if
 /// those are not enough), and then each separately, in the order of the data flow, as long as the
@@ -45,13 +81,22 @@ pub struct NotFound {
 pub fn narrowest_formats(
     start: &CoreSpec,
     frame: &Frame,
-    most: f64,
+    (measured, most): (Measured, f64),
 ) -> Result<Result<CoreSpec, NotFound>, BenchError> {
     let start = start.general();
-    let goal = Goal { most, error: &|spec: &CoreSpec| largest_error(spec, frame), cost: &cost };
+    let exact = (measured == Measured::Total).then(|| ExactPicture::new(frame.clone()));
+    let error = |spec: &CoreSpec| match &exact {
+        Some(exact) => exact.largest_error(spec),
+        None => largest_error(spec, frame),
+    };
+    let goal = Goal { most, error: &error, cost: &cost };
     Ok(match goal.narrow_together(&start)? {
         Ok(found) => Ok(goal.narrow_each(found)?),
-        Err(best) => Err(NotFound { method: start.method().name(), wanted: most, best }),
+        Err(best) => {
+            let own = exact.map(|exact| exact.error_of_method(&start));
+            let own = own.filter(|own| *own > most);
+            Err(NotFound { method: start.method().name(), measured, wanted: most, best, own })
+        }
     })
 }
 
@@ -102,6 +147,12 @@ impl<Cost: Ord> Goal<'_, Cost> {
         }
         Ok(found)
     }
+}
+
+/// Largest error of a core's method in exact arithmetic, against exact shading, over every pixel and
+/// channel of a frame, in LSBs.
+pub fn error_of_method(spec: &CoreSpec, frame: &Frame) -> f64 {
+    ExactPicture::new(frame.clone()).error_of_method(spec)
 }
 
 /// Largest |code - method in f64| over every pixel and channel, in LSBs.

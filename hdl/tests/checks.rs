@@ -2,7 +2,7 @@
 //! them.
 use specula_datapath::Design;
 use specula_datapath::block::check_all;
-use specula_datapath::design::NodeId;
+use specula_datapath::design::{NodeId, Op};
 use specula_fixtures::specs::small_needs;
 use specula_scene::Needs;
 use specula_scene::limits::{LONGEST_SPAN, MOST_LIGHTS};
@@ -152,7 +152,7 @@ fn check_kept(design: &Design, id: NodeId, enable: NodeId, next: NodeId) {
     let stage = |id| design.node(id).stage;
     let name = || design.full_name(id);
     assert!(design.node(id).registered(), "{}: an enable without a register", name());
-    if design.node(next).op.constant().is_none() {
+    if !design.node(next).still {
         assert_eq!(stage(enable), stage(next), "{} takes another pixel's value over", name());
     }
     assert!(stage(id) - stage(enable) <= 1, "{} waits for another pixel", name());
@@ -160,7 +160,7 @@ fn check_kept(design: &Design, id: NodeId, enable: NodeId, next: NodeId) {
 
 fn check_operand(design: &Design, id: NodeId, operand: NodeId) {
     let (node, source) = (design.node(id), design.node(operand));
-    if source.op.constant().is_some() {
+    if source.op.constant().is_some() || source.still && !node.still {
         return;
     }
     let name = || format!("{} reads {}", design.full_name(id), design.full_name(operand));
@@ -168,7 +168,26 @@ fn check_operand(design: &Design, id: NodeId, operand: NodeId) {
     let feeds_back = operand > id;
     let clocks = u32::from(node.registered() && !feeds_back);
     assert!(node.registered() || !feeds_back, "{}: a loop without a register", name());
+    if node.still {
+        let settled = node.stage >= source.stage + clocks;
+        return assert!(settled, "{}, which has not settled", name());
+    }
     assert_eq!(node.stage, source.stage + clocks, "{}", name());
+}
+
+/// What holds for a frame is there at any time: it is computed on, and never only delayed.
+#[test]
+fn nothing_still_is_delayed() {
+    let mut inputs = 0;
+    for spec in every_spec() {
+        let design = elaborated(&spec);
+        for (id, node) in design.iter().filter(|(_, node)| node.still && node.registered()) {
+            assert!(!matches!(node.op, Op::Copy(_)), "{} in {spec:?}", design.full_name(id));
+        }
+        inputs += design.frame_inputs().len();
+        assert_eq!(design.settling(), 0, "a frame's inputs are read late enough: {spec:?}");
+    }
+    assert!(inputs > 1000, "{inputs}");
 }
 
 /// What a spec makes use of less than another is not there.

@@ -4,7 +4,7 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::contributions::Contributions;
-use crate::frame::{EYE, Frame, LocalLight, Span, Triangle};
+use crate::frame::{EYE, Frame, LocalLight, Material, Span, Triangle};
 use crate::parallel::ParallelSpan;
 use crate::wrap::Wrap;
 
@@ -25,6 +25,8 @@ pub struct Needs {
     pub largest_shininess: u32,
     /// A material whose exponent is no power of two, if there is one.
     pub uneven_shininess: Option<u32>,
+    /// Number of materials of its spans, those that are alike counted once.
+    pub materials: usize,
     /// Largest product of a material's and a light's (or the ambient light's) colour component; 1.0
     /// is full scale.
     pub brightest_coefficient: f64,
@@ -145,6 +147,7 @@ impl Needs {
             smallest_shininess: shininess().min().unwrap_or(1),
             largest_shininess: shininess().max().unwrap_or(1),
             uneven_shininess: shininess().find(|n| !n.is_power_of_two()),
+            materials: different(used()),
             brightest_coefficient: brightest_coefficient(frame),
             contributions: Contributions::of(frame),
             flat: seen(frame).all(is_flat),
@@ -194,6 +197,17 @@ const ROUNDING: f64 = 1e-12;
 /// By how much components of unit normals may differ that count as equal: 255 LSB times this is
 /// .00024 LSB.
 const FLAT: f64 = 1.0 / (1 << 20) as f64;
+
+/// How many of these materials differ from all before them.
+fn different<'a>(materials: impl Iterator<Item = &'a Material>) -> usize {
+    let mut seen: Vec<&Material> = vec![];
+    for material in materials {
+        if !seen.contains(&material) {
+            seen.push(material);
+        }
+    }
+    seen.len()
+}
 
 /// The triangles that spans show, one after the other.
 fn seen(frame: &Frame) -> impl Iterator<Item = &Triangle> {

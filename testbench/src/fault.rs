@@ -1,10 +1,10 @@
 //! What is wrong in a run, as text.
-use crate::Outcome;
+use crate::{MovedInput, Outcome};
 
 impl Outcome {
     /// What keeps the run from [agreeing](Outcome::agrees), if anything does: the first pixel that
     /// is not the model's, the clocks in which pixels left or did not, the first fact that did not
-    /// hold, or the largest error above its bound.
+    /// hold, the first input that did not stand still, or the largest error above its bound.
     pub fn fault(&self) -> Option<String> {
         let pixel = || self.comparison.first_mismatch.as_ref().map(|first| format!("{first:?}"));
         let clocks = || {
@@ -16,6 +16,7 @@ impl Outcome {
             let worst = self.beyond_bound()?;
             Some(format!("an error above the bound of {} LSB: {worst:?}", self.bound_lsb))
         };
-        pixel().or_else(clocks).or_else(fact).or_else(error)
+        let input = || self.moved_input.as_ref().map(MovedInput::in_words);
+        pixel().or_else(clocks).or_else(fact).or_else(input).or_else(error)
     }
 }

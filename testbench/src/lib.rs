@@ -4,7 +4,8 @@
 //! [`KeptSpans`] give them to the engine and to the models. The [`Monitor`]
 //! collects the pixels that leave and the clocks in which they do. The *scoreboard* compares them
 //! with the bit-true model and with exact shading ([`Comparison`]). The [`checker`] looks at the
-//! facts that a core rests on, in every clock. A [`Bench`] puts them together.
+//! facts that a core rests on, in every clock, and [`moved_input`] whether what holds for a frame
+//! does. A [`Bench`] puts them together.
 pub mod checker;
 mod error;
 mod fault;
@@ -14,6 +15,7 @@ mod run;
 mod scoreboard;
 mod spans;
 pub mod statistics;
+mod steady;
 pub mod trace;
 
 pub use checker::Violation;
@@ -24,3 +26,4 @@ pub use run::{Bench, EngineKind, Outcome, Progress};
 pub use scoreboard::{Comparison, Mismatch, WorstPixel, WorstQuantisation};
 pub use spans::{FrameSpans, KeptSpans};
 pub use statistics::{ErrorFigures, Errors};
+pub use steady::{MovedInput, Wrong, moved_input};

@@ -17,6 +17,7 @@ use crate::checker::{self, Facts, Violation};
 use crate::monitor::Monitor;
 use crate::scoreboard::{self, Comparison, WorstQuantisation};
 use crate::spans::{FrameSpans, KeptSpans};
+use crate::steady::{MovedInput, moved_input};
 use crate::trace::{self, Choice};
 use crate::{BenchError, Image};
 
@@ -109,6 +110,8 @@ pub struct Outcome {
     pub facts_seen: Vec<Option<design::Range>>,
     /// The first fact that did not hold.
     pub violation: Option<Violation>,
+    /// The first input that holds for a frame and did not stand still.
+    pub moved_input: Option<MovedInput>,
     /// What the quantisation error is proven to stay within, in LSBs.
     pub bound_lsb: f64,
     /// Clock in which the worst pixel left the core.
@@ -118,8 +121,8 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// Whether every pixel agrees, each in its clock, every stated fact held, and no quantisation
-    /// error is above its bound.
+    /// Whether every pixel agrees, each in its clock, every stated fact held, every input stood still
+    /// for as long as it has to, and no quantisation error is above its bound.
     ///
     /// Core and bit-true model are given the same packets, so they agree whatever those hold; the
     /// method in f64 is given none. That a core stays within its bound says that the set-up is
@@ -127,7 +130,8 @@ impl Outcome {
     pub fn agrees(&self) -> bool {
         let as_the_model = self.comparison.mismatches == 0
             && self.wrong_clocks.is_empty()
-            && self.violation.is_none();
+            && self.violation.is_none()
+            && self.moved_input.is_none();
         as_the_model && self.beyond_bound().is_none()
     }
 
@@ -165,7 +169,22 @@ impl<'a> Bench<'a> {
     /// # Errors
     /// [`BenchError`] if the engine fails.
     pub fn run(&self, engine: EngineKind, progress: Progress) -> Result<Outcome, BenchError> {
-        self.run_kept(self.kept(), &self.first_pixels, engine, progress)
+        let mut engine = engine.engine(&self.design)?;
+        let given = (self.kept(), &self.first_pixels);
+        self.run_kept(given, engine.as_mut(), &self.watched(), progress)
+    }
+
+    /// As [`Bench::run`], in an engine that can watch the core's ports alone, such as that of a
+    /// netlist. Nothing is seen of facts about signals inside.
+    ///
+    /// # Errors
+    /// [`BenchError`] if the engine fails.
+    pub fn run_ports(
+        &self,
+        engine: &mut dyn Engine,
+        progress: Progress,
+    ) -> Result<Outcome, BenchError> {
+        self.run_kept((self.kept(), &self.first_pixels), engine, &self.outputs(), progress)
     }
 
     /// As [`Bench::run`], with packets of the frame's spans that another host has set up.
@@ -179,22 +198,23 @@ impl<'a> Bench<'a> {
         progress: Progress,
     ) -> Result<Outcome, BenchError> {
         let kept = KeptSpans::of(spans);
-        self.run_kept(&kept, &FirstPixels::of(&kept), engine, progress)
+        let mut engine = engine.engine(&self.design)?;
+        let given = (&kept, &FirstPixels::of(&kept));
+        self.run_kept(given, engine.as_mut(), &self.watched(), progress)
     }
 
     fn run_kept(
         &self,
-        spans: &KeptSpans,
-        first_pixels: &FirstPixels,
-        engine: EngineKind,
+        (spans, first_pixels): (&KeptSpans, &FirstPixels),
+        engine: &mut dyn Engine,
+        watched: &[NodeId],
         progress: Progress,
     ) -> Result<Outcome, BenchError> {
         let stimulus = self.stimulus(spans, first_pixels);
         let mut monitor = Monitor::new(&self.design, &stimulus);
         let mut facts = Facts::of(&self.design);
-        let mut engine = engine.engine(&self.design)?;
         let begin = Instant::now();
-        engine.run(&stimulus, &self.watched(), &mut |columns| {
+        engine.run(&stimulus, watched, &mut |columns| {
             monitor.take(columns);
             facts.take(&stimulus, columns);
             progress(columns.span().end, stimulus.clocks().end);
@@ -217,6 +237,7 @@ impl<'a> Bench<'a> {
             wrong_clocks,
             facts_seen: facts.seen,
             violation: facts.violation,
+            moved_input: moved_input(&self.design, &stimulus),
             bound_lsb,
             worst_cycle,
             simulation_seconds,
@@ -270,10 +291,14 @@ impl<'a> Bench<'a> {
         self.kept.get_or_init(|| KeptSpans::of(&self.spans))
     }
 
+    /// The core's outputs.
+    fn outputs(&self) -> Vec<NodeId> {
+        self.design.outputs.iter().copied().chain([self.design.valid_out]).collect()
+    }
+
     /// Outputs and signals with stated facts.
     fn watched(&self) -> Vec<NodeId> {
-        let mut watched: Vec<NodeId> = self.design.outputs.clone();
-        watched.push(self.design.valid_out);
+        let mut watched = self.outputs();
         watched.extend(checker::watched(&self.design));
         watched.sort_unstable();
         watched.dedup();

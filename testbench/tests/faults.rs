@@ -7,7 +7,7 @@ use specula_fixtures::specs::{lyon, spec};
 use specula_scene::Frame;
 use specula_spec::lyon::{Difference, Normalisation};
 use specula_spec::{CoreSpec, Method};
-use specula_testbench::{Bench, BenchError, EngineKind, Outcome};
+use specula_testbench::{Bench, BenchError, EngineKind, MovedInput, Outcome, Wrong};
 
 /// Wide spans and slanting lights, so that every operator has something to do.
 fn picture() -> Frame {
@@ -184,6 +184,31 @@ fn untrue_facts_are_reported() {
             (first as u64 + u64::from(bench.design.latency()), value.into())
         );
     }
+}
+
+/// A core whose colours hold for a frame is given a frame of several materials: the first span whose
+/// colours are others is told, and so is what they spoil.
+#[test]
+fn an_input_that_moves_within_a_frame_is_reported() {
+    let mut frame = picture();
+    frame.materials.truncate(1);
+    frame.triangles.iter_mut().for_each(|triangle| triangle.material = 0);
+    frame.materials.push(material(0.2, 0.5, 0.2, 8));
+    frame.triangles[3].material = 1;
+    let several = spec(&frame, Method::Lyon);
+    let mut one = several.clone();
+    assert!(several.parameters.several_materials);
+    one.parameters.several_materials = false;
+    assert_eq!(run(&Bench::new(&frame, &several, "core").unwrap()).fault(), None);
+    let bench = Bench::new(&frame, &one, "core").unwrap();
+    let outcome = run(&bench);
+    let moved = outcome.moved_input.as_ref().expect("ambient light changes");
+    let clock: u32 = frame.spans[..3].iter().map(|span| span.length).sum();
+    let leaves = u64::from(clock) - 1 + u64::from(bench.design.depth());
+    let wrong = Wrong::UnderWay { leaves };
+    let (port, clock) = ("core.ambient_r".into(), clock.into());
+    assert_eq!(moved, &MovedInput { port, span: 3, clock, wrong });
+    assert!(!outcome.agrees() && outcome.comparison.mismatches > 0);
 }
 
 /// Values that idle clocks leave behind the last pixel are nobody's, and break no fact.

@@ -4,7 +4,9 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use specula_datapath::target::Target;
-use specula_experiments::search;
+use specula_experiments::cost::GENERIC_BLOCK;
+use specula_experiments::formats;
+use specula_experiments::search::{self, Measured};
 use specula_hdl::module_name;
 use specula_scene::picture::limits;
 use specula_scene::{Frame, LoadedScene};
@@ -89,10 +91,18 @@ pub struct CoreArguments {
     /// [default: what the scene says, else scene]
     #[arg(long, value_name = "FOR", value_parser = specialise_parser())]
     pub specialise: Option<Specialise>,
-    /// Narrow all formats as far as every pixel stays within this error of exact shading by the
-    /// method, such as 1lsb [default: the formats that the scene says, else recommended ones]
-    #[arg(long, value_name = "LSB", allow_hyphen_values = true, value_parser = parse_error)]
+    /// Find the cheapest formats for which the quantisation error is proven to be below this, such
+    /// as 1lsb (a faithful core), without shading a pixel [default: the formats that the scene
+    /// says, else recommended ones]
+    #[arg(long, value_name = "LSB", allow_hyphen_values = true, value_parser = parse_error, conflicts_with_all = ["max_error", "max_quantisation"])]
+    pub bound: Option<f64>,
+    /// Narrow all formats as far as the total error against exact shading, measured on every pixel
+    /// of this scene, stays within this, such as 2lsb
+    #[arg(long, value_name = "LSB", allow_hyphen_values = true, value_parser = parse_error, conflicts_with = "max_quantisation")]
     pub max_error: Option<f64>,
+    /// The same for the quantisation error alone, against exact shading by the method
+    #[arg(long, value_name = "LSB", allow_hyphen_values = true, value_parser = parse_error)]
+    pub max_quantisation: Option<f64>,
     #[command(flatten)]
     pub made_for: TargetArguments,
 }
@@ -106,7 +116,7 @@ pub struct TargetArguments {
     pub target: Option<String>,
     /// Clock in MHz that the core is pipelined for, from 1 to 1000, or max for the highest that
     /// its loops allow [default: max]
-    #[arg(long, value_name = "MHZ", value_parser = parse_clock, requires = "target")]
+    #[arg(long, value_name = "MHZ", value_parser = parse_clock, requires_if("max", "target"))]
     pub clock: Option<Clock>,
 }
 
@@ -120,6 +130,20 @@ pub enum Clock {
 }
 
 impl TargetArguments {
+    /// Widths of the signed operands of the target's multiplier blocks, if it has any.
+    fn block(&self) -> Option<[u32; 2]> {
+        let target = Target::named(self.target.as_ref()?)?;
+        target.multiplier.map(|multiplier| multiplier.widths)
+    }
+
+    /// The clock in MHz that is given where no target is.
+    pub fn given_for_any_device(&self) -> Option<f64> {
+        match (&self.target, self.clock) {
+            (None, Some(Clock::Mhz(mhz))) => Some(mhz),
+            _ => None,
+        }
+    }
+
     /// A core made for what is asked for; unchanged where nothing is.
     pub fn made_for(&self, spec: CoreSpec) -> Result<CoreSpec, ToolError> {
         let Some(name) = self.target.clone() else { return Ok(spec) };
@@ -157,18 +181,54 @@ fn parse_clock(text: &str) -> Result<Clock, String> {
 }
 
 impl CoreArguments {
-    /// The core for a scene.
-    pub fn core(&self, scene: &LoadedScene) -> Result<CoreSpec, ToolError> {
-        let spec = scene.core_spec(self.method)?;
-        let general = spec.specialisation.is_general();
-        let spec = match self.max_error {
-            None => spec,
-            Some(most) => search::narrowest_formats(&spec, &scene.frame, most)??,
+    /// The core for a scene; on a device, if one is named, whose multiplier blocks have operands of
+    /// these widths.
+    pub fn core(
+        &self,
+        scene: &LoadedScene,
+        block: Option<[u32; 2]>,
+    ) -> Result<CoreSpec, ToolError> {
+        self.made_for.made_for(self.in_formats(scene, block)?)
+    }
+
+    /// The core for a scene, for no clock in particular, in the formats that are asked for.
+    fn in_formats(
+        &self,
+        scene: &LoadedScene,
+        block: Option<[u32; 2]>,
+    ) -> Result<CoreSpec, ToolError> {
+        let (spec, frame) = (scene.core_spec(self.method)?, &scene.frame);
+        if let Some(below) = self.bound {
+            let start = specialised(spec, self.specialise, frame);
+            let kept = &scene.named_formats(start.method())?;
+            let block = block.or(self.made_for.block()).unwrap_or(GENERIC_BLOCK);
+            let wanted = formats::Wanted { below, block, kept };
+            return Ok(formats::cheapest_formats(&start, frame, &wanted)??.spec);
+        }
+        let Some(goal) = self.measured() else {
+            return Ok(specialised(spec, self.specialise, frame));
         };
         // The search for narrow formats starts from the general core.
-        let wish =
-            self.specialise.or((!general && self.max_error.is_some()).then_some(Specialise::Scene));
-        self.made_for.made_for(specialised(spec, wish, &scene.frame))
+        let general = spec.specialisation.is_general();
+        let wish = self.specialise.or((!general).then_some(Specialise::Scene));
+        Ok(specialised(search::narrowest_formats(&spec, frame, goal)??, wish, frame))
+    }
+
+    /// The error that is to be measured, and the most that it may be, in LSBs.
+    fn measured(&self) -> Option<(Measured, f64)> {
+        let total = self.max_error.map(|most| (Measured::Total, most));
+        total.or(self.max_quantisation.map(|most| (Measured::Quantisation, most)))
+    }
+
+    /// The arguments that ask for formats, as they are written.
+    pub fn formats_in_words(&self) -> String {
+        let asked = [
+            ("bound", self.bound),
+            ("max-error", self.max_error),
+            ("max-quantisation", self.max_quantisation),
+        ];
+        let word = |(name, lsb): (&str, Option<f64>)| Some(format!(" --{name} {}lsb", lsb?));
+        asked.into_iter().filter_map(word).collect()
     }
 }
 
@@ -181,7 +241,7 @@ pub fn specialised(spec: CoreSpec, wish: Option<Specialise>, frame: &Frame) -> C
     }
 }
 
-/// Parses `--max-error`, in LSBs of the 8-bit output.
+/// Parses an error or a bound, in LSBs of the 8-bit output.
 pub fn parse_error(text: &str) -> Result<f64, String> {
     let number = text
         .strip_suffix("lsb")

@@ -5,6 +5,8 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde::Serialize;
 use specula_experiments::explore::{Device, Exploration, Explored, Wanted, explore};
+use specula_experiments::search::error_of_method;
+use specula_scene::Frame;
 use specula_spec::{Method, SpecFile};
 
 use crate::arguments::{SceneArguments, method_parser, parse_error, selected_methods};
@@ -34,7 +36,8 @@ pub struct Arguments {
     /// Folder to write [default: out/NAME-explored, by the scene's name]
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Largest total error that the best core may have, such as 2lsb
+    /// Largest total error against exact shading, measured on every pixel of this scene, that the
+    /// best core may have, such as 2lsb
     #[arg(long, value_name = "LSB", allow_hyphen_values = true, value_parser = parse_error)]
     max_error: f64,
     /// Methods to try, separated by commas [default: all]
@@ -76,7 +79,7 @@ pub fn execute(
     let best = exploration
         .best
         .map(|index| &exploration.front[index])
-        .ok_or_else(|| nothing(&wanted, &exploration))?;
+        .ok_or_else(|| nothing(&wanted, &exploration, &scene.frame))?;
     let file = SpecFile { name: scene.name.clone(), spec: best.spec.clone() };
     // This is not `run`'s folder, into which no other core's spec may be put.
     let folder = arguments
@@ -116,13 +119,15 @@ fn verdict(exploration: &Exploration) -> Verdict {
 }
 
 /// The error that says why there is no best core.
-fn nothing(wanted: &Wanted, exploration: &Exploration) -> ToolError {
-    let nearest = exploration.front.last().map(|core| (core.error, core.core.clone()));
+fn nothing(wanted: &Wanted, exploration: &Exploration, frame: &Frame) -> ToolError {
     ToolError::NothingExplored(NothingExplored {
         wanted: wanted.most,
-        nearest: match nearest {
-            Some((error, core)) if error > wanted.most => {
-                format!("the nearest comes to {error:.2} LSB: {core}")
+        nearest: match exploration.front.last() {
+            Some(Explored { error, core, spec, .. }) if *error > wanted.most => {
+                let own = error_of_method(spec, frame);
+                format!(
+                    "the nearest comes to {error:.2} LSB: {core}, whose method is off by {own:.2} LSB in exact arithmetic"
+                )
             }
             Some(_) => "those that come as near do not fit the device".to_owned(),
             None => exploration.refused.join("; "),

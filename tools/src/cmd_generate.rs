@@ -44,7 +44,7 @@ pub fn execute(
     stdout: &mut dyn Write,
     interrupts: &Interrupts,
 ) -> Result<Verdict, ToolError> {
-    let (file, origin) = arguments.core.file(&arguments.name)?;
+    let (file, origin) = arguments.core.file(&arguments.device, &arguments.name)?;
     let module = specula_hdl::module_name(&file.name, &file.spec);
     let design = specula_hdl::elaborate(&file.spec, &module).map_err(BenchError::from)?;
     arguments.device.fitted(&design)?;

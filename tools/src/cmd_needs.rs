@@ -113,6 +113,7 @@ fn facts(report: &Report) -> Vec<[String; 2]> {
         ("directions to lights and eye are constant", yes_or_no(needs.directions_are_constant())),
         ("longest span", format!("{} pixels", needs.longest_span)),
         ("widest angle between normals of a span", format!("{:.1} degrees", needs.widest_angle)),
+        ("materials", needs.materials.to_string()),
         ("exponents", exponents),
         ("all of them powers of two", yes_or_no(needs.uneven_shininess.is_none())),
         ("strongest ambient light sent back", seen(needs.contributions.ambient)),

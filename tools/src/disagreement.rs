@@ -1,5 +1,5 @@
 //! Disagreements of a run: everything that differs from what is expected.
-use specula_testbench::{Bench, Mismatch, Outcome, Violation, WorstQuantisation};
+use specula_testbench::{Bench, Mismatch, MovedInput, Outcome, Violation, WorstQuantisation};
 
 /// All disagreements of a run, with the first of each kind in full.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,6 +14,8 @@ pub struct Disagreement {
     pub first_wrong_clock: Option<u64>,
     /// The first stated fact that did not hold.
     pub violation: Option<Violation>,
+    /// The first input that holds for a frame and did not stand still.
+    pub moved_input: Option<MovedInput>,
     /// The largest quantisation error that is above its bound.
     pub beyond_bound: Option<BeyondBound>,
 }
@@ -43,6 +45,7 @@ impl Disagreement {
             wrong_clocks: outcome.wrong_clocks.len(),
             first_wrong_clock: outcome.wrong_clocks.first().copied(),
             violation: outcome.violation.clone(),
+            moved_input: outcome.moved_input.clone(),
             beyond_bound: outcome.beyond_bound().map(|&worst| BeyondBound {
                 worst,
                 clock: bench.leaving_clock(worst.span, worst.pixel),
@@ -60,7 +63,9 @@ impl Disagreement {
         let beyond = self.beyond_bound.map(|beyond| beyond.clock);
         // A core with an error above its bound still agrees with its model, so that clock counts
         // only if nothing else disagrees.
-        let first = [mismatch, self.first_wrong_clock, violation].into_iter().flatten().min();
+        let moved = self.moved_input.as_ref().map(|moved| moved.clock);
+        let first = [mismatch, self.first_wrong_clock, violation, moved];
+        let first = first.into_iter().flatten().min();
         first.or(beyond).unwrap_or(0)
     }
 
@@ -81,13 +86,15 @@ impl Disagreement {
         });
         let fact = self.violation.as_ref().map(Violation::in_words);
         let beyond = self.beyond_bound.as_ref().map(BeyondBound::in_words);
-        [pixel, clocks, fact, beyond].into_iter().flatten().collect()
+        let moved = self.moved_input.as_ref().map(MovedInput::in_words);
+        [pixel, clocks, fact, moved, beyond].into_iter().flatten().collect()
     }
 
     /// Whether an error above its bound is the only disagreement: every pixel is the model's and
-    /// leaves in its clock, and every fact holds.
+    /// leaves in its clock, every fact holds, and every input stands still.
     pub fn is_bound_only(&self) -> bool {
-        self.mismatches == 0 && self.wrong_clocks == 0 && self.violation.is_none()
+        let holds = self.violation.is_none() && self.moved_input.is_none();
+        self.mismatches == 0 && self.wrong_clocks == 0 && holds
     }
 }
 

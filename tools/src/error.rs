@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use miette::Diagnostic;
 use specula_experiments::benchmark::MeasureError;
+use specula_experiments::formats::NotProven;
 use specula_experiments::search::NotFound;
 use specula_experiments::tradeoff::{JournalError, SweepError};
 use specula_flow::synth::SynthError;
@@ -51,6 +52,10 @@ pub enum ToolError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     NotFound(#[from] NotFound),
+    /// No core is proven as exact as the user asked for.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    NotProven(#[from] NotProven),
     /// A sweep was not finished.
     #[error(transparent)]
     #[diagnostic(transparent)]
@@ -81,6 +86,13 @@ pub enum ToolError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Refused(#[from] Refused),
+    /// Nothing says on which scene a core from a file is to be simulated.
+    #[error("there is no scene to simulate the core on")]
+    #[diagnostic(
+        code(specula::synth::scene),
+        help("name one that the core can shade, such as `--simulate=teapot`")
+    )]
+    NoScene,
     /// A result cannot be put into JSON.
     #[error("the result cannot be written as JSON: {0}")]
     #[diagnostic(
@@ -172,7 +184,7 @@ pub struct NothingExplored {
 #[diagnostic(
     code(specula::device),
     help(
-        "`specula explore SCENE --max-error 2lsb --device {device}` looks for a core that fits; narrower formats (`--max-error`) or another method may; {larger}"
+        "`specula explore SCENE --max-error 2lsb --device {device}` looks for a core that fits; narrower formats (`--bound`, `--max-error`) or another method may; {larger}"
     )
 )]
 pub struct DoesNotFit {

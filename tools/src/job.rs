@@ -6,6 +6,7 @@ use specula_scene::LoadedScene;
 use specula_spec::{CoreSpec, FittedCore, SpecFile};
 
 use crate::arguments::{CoreArguments, NameArguments, PictureArguments, SceneArguments};
+use crate::device::DeviceArguments;
 use crate::error::{Refused, ToolError};
 use crate::verilog::Origin;
 
@@ -24,11 +25,12 @@ impl Job {
     pub fn of_scene(
         scene: &SceneArguments,
         core: &CoreArguments,
+        device: &DeviceArguments,
         name: &NameArguments,
     ) -> Result<Job, ToolError> {
         let loaded = scene.load()?;
-        let spec = core.core(&loaded)?;
-        let origin = Origin::of_scene(scene, core, &spec).with_name(name);
+        let spec = core.core(&loaded, device.block())?;
+        let origin = Origin::of_scene(scene, core, device, &spec).with_name(name);
         let mut file = SpecFile { name: loaded.name.clone(), spec };
         name.rename(&mut file)?;
         Ok(Job { file, scene: loaded, origin })
@@ -40,15 +42,21 @@ impl Job {
         core: &Path,
         name: &NameArguments,
     ) -> Result<Job, ToolError> {
-        let mut file = SpecFile::read(core)?;
+        Job::shading(made_before(core, name)?, scene, core)
+    }
+
+    /// The job of shading a scene with a core, which is called `core` where it does not fit.
+    fn shading(
+        (file, origin): (SpecFile, Origin),
+        scene: &SceneArguments,
+        core: &Path,
+    ) -> Result<Job, ToolError> {
         let loaded = scene.load()?;
         let fitted = file.spec.fit_to(&loaded.frame).map_err(|error| {
             let (core, scene) = (core.to_owned(), loaded.name.clone());
             ToolError::Refused(Refused { core, scene, error })
         });
         let FittedCore { frame, spec } = fitted?;
-        let origin = Origin::of_file(core, &file).with_name(name);
-        name.rename(&mut file)?;
         Ok(Job { scene: LoadedScene { frame, ..loaded }, file: SpecFile { spec, ..file }, origin })
     }
 
@@ -63,15 +71,24 @@ impl Job {
     }
 }
 
+/// A core that was made before, from its file.
+fn made_before(path: &Path, name: &NameArguments) -> Result<(SpecFile, Origin), ToolError> {
+    let mut file = SpecFile::read(path)?;
+    let origin = Origin::of_file(path, &file).with_name(name);
+    name.rename(&mut file)?;
+    Ok((file, origin))
+}
+
 /// The arguments that name a core for a scene, or one that was made before.
 #[derive(Clone, Debug, Args)]
+#[command(mut_arg("clock", |clock| clock.requires("target")))]
 pub struct SceneOrSpec {
     /// A built-in scene (see `specula scenes`), a scene file (.toml), or a mesh (.obj, .ply, .stl,
     /// .glb)
     #[arg(required_unless_present = "spec")]
     pub scene: Option<String>,
     /// Use the core in this spec.toml instead of one for a scene
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "size", "method", "specialise", "max_error", "target"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "size", "method", "specialise", "bound", "max_error", "max_quantisation", "target"])]
     pub spec: Option<PathBuf>,
     #[command(flatten)]
     picture: PictureArguments,
@@ -81,23 +98,46 @@ pub struct SceneOrSpec {
 
 impl SceneOrSpec {
     /// The core and its origin.
-    pub fn file(&self, name: &NameArguments) -> Result<(SpecFile, Origin), ToolError> {
-        match (&self.spec, &self.scene) {
-            (Some(path), _) => {
-                let mut file = SpecFile::read(path)?;
-                let origin = Origin::of_file(path, &file).with_name(name);
-                name.rename(&mut file)?;
-                Ok((file, origin))
-            }
-            // clap requires a scene where there is no spec.
-            (None, scene) => {
-                let scene = SceneArguments {
-                    scene: scene.clone().unwrap_or_default(),
-                    picture: self.picture.clone(),
-                };
-                let Job { file, origin, .. } = Job::of_scene(&scene, &self.wanted, name)?;
+    pub fn file(
+        &self,
+        device: &DeviceArguments,
+        name: &NameArguments,
+    ) -> Result<(SpecFile, Origin), ToolError> {
+        match &self.spec {
+            Some(path) => made_before(path, name),
+            None => {
+                let scene = self.scene();
+                let Job { file, origin, .. } = Job::of_scene(&scene, &self.wanted, device, name)?;
                 Ok((file, origin))
             }
         }
+    }
+
+    /// The core with a scene for it to shade: the one that is named, or else its own.
+    ///
+    /// # Errors
+    /// [`ToolError::NoScene`] if the core is a file and no scene is named, and
+    /// [`ToolError::Refused`] if the core cannot shade the scene.
+    pub fn job(&self, named: Option<&str>, name: &NameArguments) -> Result<Job, ToolError> {
+        let device = DeviceArguments::default();
+        let Some(named) = named else {
+            return match &self.spec {
+                Some(_) => Err(ToolError::NoScene),
+                None => Job::of_scene(&self.scene(), &self.wanted, &device, name),
+            };
+        };
+        let scene =
+            SceneArguments { scene: named.to_owned(), picture: PictureArguments::default() };
+        match &self.spec {
+            Some(path) => Job::with_core(&scene, path, name),
+            None => Job::shading(self.file(&device, name)?, &scene, Path::new(&self.scene().scene)),
+        }
+    }
+
+    /// The scene that the core is made for.
+    fn scene(&self) -> SceneArguments {
+        // clap requires a scene where there is no spec.
+        let scene = self.scene.clone().unwrap_or_default();
+        SceneArguments { scene, picture: self.picture.clone() }
     }
 }

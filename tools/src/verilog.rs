@@ -8,6 +8,7 @@ use specula_scene::builtin_names;
 use specula_spec::{CoreSpec, SpecFile, TargetClock};
 
 use crate::arguments::{CoreArguments, NameArguments, SceneArguments};
+use crate::device::DeviceArguments;
 use crate::made_for::MadeFor;
 use crate::table;
 
@@ -31,8 +32,14 @@ pub struct Origin {
 }
 
 impl Origin {
-    /// The origin of a core `spec` that is made for a scene with the arguments `core`.
-    pub fn of_scene(scene: &SceneArguments, core: &CoreArguments, spec: &CoreSpec) -> Origin {
+    /// The origin of a core `spec` that is made for a scene with the arguments `core`. The device
+    /// matters where formats are the cheapest on it.
+    pub fn of_scene(
+        scene: &SceneArguments,
+        core: &CoreArguments,
+        device: &DeviceArguments,
+        spec: &CoreSpec,
+    ) -> Origin {
         let size = scene
             .picture
             .size
@@ -44,14 +51,19 @@ impl Origin {
             .specialise
             .map(|wish| format!(" --specialise {}", wish.name()))
             .unwrap_or_default();
-        let error = core.max_error.map(|lsb| format!(" --max-error {lsb}lsb")).unwrap_or_default();
+        let formats = core.formats_in_words();
+        let device = device
+            .device
+            .filter(|_| core.bound.is_some())
+            .map(|device| format!(" --device {}", device.name))
+            .unwrap_or_default();
         let target = spec.target.as_ref().map(|clock| {
             let TargetClock { name, clock_mhz } = clock;
             format!(" --target {name} --clock {clock_mhz}")
         });
         let target = target.unwrap_or_default();
         let command = format!(
-            "specula generate {}{size} --method {method}{specialise}{error}{target}",
+            "specula generate {}{size} --method {method}{specialise}{formats}{device}{target}",
             quoted(&scene)
         );
         Origin { scene, command }
@@ -165,8 +177,25 @@ first clock of a span only. A span's data inputs are held from its first clock t
 two of these clocks there may be any number in which `valid` is low: the core waits, and `start` means
 nothing. The next span may follow at once. {leaving}, with
 `valid_out` high. Inputs are taken at the rising edge of `clock`. `reset` is synchronous and clears
-validity only: data registers have no reset."
+validity only: data registers have no reset.{}",
+        between_frames(design).map(|rule| format!("\n{rule}")).unwrap_or_default()
     )
+}
+
+/// When inputs that hold for a frame may change, if there are any.
+pub fn between_frames(design: &Design) -> Option<String> {
+    let after = design.depth() + 1;
+    let then = match design.settling() {
+        0 => "in that clock".to_owned(),
+        1 => "1 clock later".to_owned(),
+        clocks => format!("{clocks} clocks later"),
+    };
+    (!design.frame_inputs().is_empty()).then(|| {
+        format!(
+            "Inputs that hold for the frame change between frames only, while no pixel is under way: in clock
+c + {after} of the last pixel or later, and the next one may enter {then}."
+        )
+    })
 }
 
 fn indented(text: &str) -> Vec<String> {
@@ -190,7 +219,8 @@ mod tests {
             SceneArguments { scene: scene.to_owned(), picture: PictureArguments { size } };
         let scene = specula_scene::load("icosahedron", Some((8, 6))).expect("it is built in");
         let spec = scene.core_spec(None).expect("it has a core");
-        Origin::of_scene(&arguments, &CoreArguments::default(), &spec)
+        let device = DeviceArguments::default();
+        Origin::of_scene(&arguments, &CoreArguments::default(), &device, &spec)
     }
 
     #[test]

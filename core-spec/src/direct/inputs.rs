@@ -61,7 +61,9 @@ impl MethodInputs for DirectSpec {
         let (dot_view, component) = (format!("light{index}_dot_view"), self.formats.component);
         DirectLight {
             light: self.ends(&format!("light{index}")),
-            light_dot_view: CoreInput::between(Light, dot_view, component, -1.0, 1.0),
+            // Spans without a normal have another one.
+            light_dot_view: CoreInput::between(Light, dot_view, component, -1.0, 1.0)
+                .held_for_a_span(),
         }
     }
 }

@@ -104,7 +104,7 @@ impl PhongSpec {
         }
     }
 
-    /// A vector to a place; what it is wrapped around tells of `axis`.
+    /// A vector to a place; what it is wrapped around tells of `axis`, from span to span.
     fn way(&self, axis: InputRole, name: &str) -> Way<CoreInput> {
         let (vector, sum) = (self.formats.vector, self.formats.vector_sum());
         match self.places {
@@ -112,7 +112,10 @@ impl PhongSpec {
             Places::Wrapped => Way {
                 start: CoreInput::vector(Surface, &format!("{name}_wrap_start"), sum, 2.0),
                 delta: CoreInput::vector(Surface, &format!("{name}_wrap_delta"), sum, 2.0),
-                axis: Some(CoreInput::vector(axis, &format!("{name}_wrap_axis"), vector, 1.0)),
+                axis: Some(
+                    CoreInput::vector(axis, &format!("{name}_wrap_axis"), vector, 1.0)
+                        .map(CoreInput::held_for_a_span),
+                ),
             },
         }
     }

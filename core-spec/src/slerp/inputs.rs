@@ -101,7 +101,8 @@ impl MethodInputs for SlerpSpec {
             light: self.on_arc(&format!("light{index}")),
             direction: (self.form == Form::Vector)
                 .then(|| CoreInput::vector(Light, &name("direction"), self.formats.vector, 1.0)),
-            light_dot_view: self.component(Light, &name("dot_view")),
+            // Spans without a normal have another one.
+            light_dot_view: self.component(Light, &name("dot_view")).held_for_a_span(),
         }
     }
 }

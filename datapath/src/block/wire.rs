@@ -23,6 +23,8 @@ pub struct WireType {
     pub fact: Option<String>,
     /// Clocks after a pixel's entry at which its value belongs to that pixel.
     pub stage: u32,
+    /// Whether it is still: the same for every pixel that is under way.
+    pub still: bool,
     id: usize,
 }
 
@@ -47,6 +49,7 @@ impl Wire {
             format: node.format().to_string(),
             fact,
             stage: node.stage,
+            still: node.still,
             id: get_signal_id(),
         };
         Wire { value: 0, next: 0, changed: false, driven: false, wire_type: Box::new(wire_type) }

@@ -25,7 +25,7 @@ mod vector;
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use crate::InputPort;
+use crate::{Hold, InputPort};
 
 use crate::design::{Design, NodeId, Op, Range};
 use crate::graph::{Graph, Pace, Rule};
@@ -107,6 +107,7 @@ impl Builder {
             None => {
                 let mut state = self.state.borrow_mut();
                 let id = state.open_input(&port.name, range, port.format.fraction_bits);
+                state.graph.values[id.0 as usize].still = port.hold == Hold::Frame;
                 state.graph.inputs.push(Some(id));
                 id
             }

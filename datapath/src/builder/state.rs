@@ -240,8 +240,9 @@ impl State {
         (range, fraction_bits): (Range, u32),
         name: String,
     ) -> NodeId {
-        let scope = self.scope;
-        self.push(Value { op, pace, together, range, fraction_bits, scope, name, named: true })
+        let (scope, still) = (self.scope, self.graph.gives_still(op, pace));
+        let named = true;
+        self.push(Value { op, pace, together, range, fraction_bits, still, scope, name, named })
     }
 
     /// Adds a value, which counts as named until something else is said of it.

@@ -49,8 +49,11 @@ pub struct Node {
     pub range: Range,
     /// Bits right of the binary point.
     pub fraction_bits: u32,
-    /// Clocks after a pixel's entry at which the value belongs to that pixel.
+    /// Clocks after a pixel's entry at which the value belongs to that pixel; of what is still, the
+    /// registers from the inputs to it.
     pub stage: u32,
+    /// Whether it is still: the same for every pixel that is under way, from when it has settled.
+    pub still: bool,
     /// The unit it belongs to.
     pub scope: ScopeId,
     /// Its name, unique in its unit.
@@ -210,6 +213,31 @@ impl Design {
     /// Clocks from what enters to what of it leaves: the stage of the outputs.
     pub fn depth(&self) -> u32 {
         self.node(self.valid_out).stage
+    }
+
+    /// The numbers of those inputs that hold for a frame.
+    pub fn frame_inputs(&self) -> Vec<usize> {
+        let holds = |id: &Option<NodeId>| id.is_some_and(|id| self.node(id).still);
+        (0..self.inputs.len()).filter(|&input| holds(&self.inputs[input])).collect()
+    }
+
+    /// Clocks before a pixel's entry from which on inputs that hold for a frame have to be what that
+    /// pixel sees. They may change when the last pixel before it has left, not earlier.
+    ///
+    /// What is still has the value of its inputs d clocks later, as many as it has registers before
+    /// it. What is not still and reads it for a pixel does so s clocks after the pixel's entry, so
+    /// it settles d - s clocks before that; the most of these, or 0.
+    pub fn settling(&self) -> u32 {
+        let outputs = self.outputs.iter().map(|&output| (output, self.depth()));
+        let reads = self.nodes.iter().filter(|node| !node.still).flat_map(|node| {
+            let at = node.stage - u32::from(node.registered());
+            node.op.operands().map(move |operand| (operand, at))
+        });
+        let late = |(read, at): (NodeId, u32)| {
+            let Node { still, stage, .. } = self.node(read);
+            still.then(|| stage.saturating_sub(at))
+        };
+        reads.chain(outputs).filter_map(late).max().unwrap_or(0)
     }
 
     /// Bound on the error of an output, in LSBs: rounding and quantised inputs against the same

@@ -50,6 +50,8 @@ pub struct Value {
     pub range: Range,
     /// Bits right of the binary point.
     pub fraction_bits: u32,
+    /// Whether it is still, as [`Graph::is_still`] says.
+    pub still: bool,
     /// The unit it belongs to.
     pub scope: ScopeId,
     /// Its name, unique in its unit.
@@ -142,6 +144,22 @@ impl Graph {
     /// Whether a value is the same at every clock.
     pub fn is_constant(&self, id: NodeId) -> bool {
         self.value(id).op.constant().is_some()
+    }
+
+    /// Whether a value is *still*: the same for every pixel that is under way, so that it is there at
+    /// any time. That is an input that holds for a frame, a constant, or what is computed of such
+    /// values outside loops.
+    pub fn is_still(&self, id: NodeId) -> bool {
+        self.value(id).still
+    }
+
+    /// Whether an operator gives what is still, of values that are there already. Of an input its
+    /// port says so.
+    pub fn gives_still(&self, op: Op, pace: Pace) -> bool {
+        let outside_loops = matches!(pace, Pace::Target | Pace::Wire | Pace::Register | Pace::Meet);
+        // What comes later is of a loop.
+        let is_still = |id: NodeId| self.values.get(id.0 as usize).is_some_and(|value| value.still);
+        outside_loops && op != Op::Input && op.operands().all(is_still)
     }
 
     /// The unit whose border a value crosses on its way out, if it does: the value is then a copy

@@ -31,13 +31,7 @@ pub fn text(
     let writer = Writer { module, delays: &delays, nets: &nets };
     let mut out = String::new();
     // Writing to a String cannot fail, here and below.
-    let _ = writeln!(
-        out,
-        "// {}: {}; latency {}.",
-        module.unit,
-        module.formula,
-        clocks(module.stages.1 - module.stages.0)
-    );
+    let _ = writeln!(out, "// {}: {}; {}.", module.unit, module.formula, timing(module));
     let _ = writeln!(out, "module {name} (\n{}\n);", writer.ports());
     writer.declarations(&mut out);
     writer.gates(&mut out);
@@ -63,6 +57,16 @@ pub fn ports(module: &Module) -> String {
     let delays = Delays::of(module);
     let nets = Nets::with_vectors(module, &delays);
     Writer { module, delays: &delays, nets: &nets }.ports()
+}
+
+/// When what leaves a module belongs to what entered it.
+fn timing(module: &Module) -> String {
+    let outputs = module.wires().iter().map(Wire::wire_type);
+    let mut outputs = outputs.filter(|about| about.kind == AtomKind::OutputParameter);
+    if outputs.all(|about| about.still) {
+        return "what it gives holds for the frame".to_owned();
+    }
+    format!("latency {}", clocks(module.stages.1 - module.stages.0))
 }
 
 fn clocks(number: u32) -> String {
@@ -174,10 +178,15 @@ impl<'a> Writer<'a> {
                 _ => continue,
             };
             let kind = format!("{direction} {}", shape(about)).trim_end().to_owned();
+            let when = if about.still {
+                "holds for the frame".to_owned()
+            } else {
+                format!("clock {stage}")
+            };
             let comment = match (about.name.as_str(), about.width) {
                 ("reset", _) => "synchronous; clears validity".to_owned(),
-                (_, 1) => format!("bit, clock {stage}"),
-                _ => format!("{}, clock {stage}", about.format),
+                (_, 1) => format!("bit, {when}"),
+                _ => format!("{}, {when}", about.format),
             };
             let row = [kind, about.name.clone(), comment];
             // Reset belongs beside the clock.

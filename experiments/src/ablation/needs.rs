@@ -96,8 +96,14 @@ impl Chosen<'_> {
         let (own, theirs) = (core.inputs(), self.spec.general().inputs());
         let port =
             |ports: &[InputPort], name: &str| ports.iter().find(|port| port.name == name).cloned();
-        let known =
-            |name: &str| port(&own, name).is_some_and(|own| Some(own) == port(&theirs, name));
+        // Whatever is known of its values is so for as long as it is held.
+        let alike =
+            |own: InputPort, theirs: InputPort| InputPort { hold: own.hold, ..theirs } == own;
+        let known = |name: &str| {
+            port(&own, name)
+                .zip(port(&theirs, name))
+                .is_some_and(|(own, theirs)| alike(own, theirs))
+        };
         CoreSpec { specialisation: self.spec.specialisation.restricted(known), ..core }
     }
 

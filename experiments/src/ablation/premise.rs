@@ -19,7 +19,7 @@ pub(super) const LIGHTS_AT_INFINITY: &str = "lights at infinity";
 pub(super) const EYE_AT_INFINITY: &str = "eye at infinity";
 
 /// Every premise on which [`LoadedScene::core_for`] rests.
-pub(super) const PREMISES: [Premise; 10] = [
+pub(super) const PREMISES: [Premise; 11] = [
     Premise {
         need: LIGHTS,
         safe: "the scene has no more lights",
@@ -50,6 +50,12 @@ pub(super) const PREMISES: [Premise; 10] = [
         safe: "the direction to the eye is the same everywhere",
         relax: |needs| needs.local_eye = true,
         known: |_| "directions to the place of the eye".to_owned(),
+    },
+    Premise {
+        need: "one material",
+        safe: "colours and exponents are the same in every span of this frame",
+        relax: |needs| needs.materials = needs.materials.max(2),
+        known: |_| "delay registers of colours and exponents".to_owned(),
     },
     Premise {
         need: "longest span",

@@ -8,7 +8,6 @@
 //! pixel.
 mod device;
 mod options;
-mod picture;
 
 use std::cell::RefCell;
 
@@ -17,12 +16,13 @@ use serde::Serialize;
 use specula_scene::{Frame, Needs};
 use specula_spec::{CoreSpec, Method};
 
+use crate::cost::Cost;
 use crate::pareto_front;
+use crate::picture::{ExactPicture, sampled};
 use crate::search::{Goal, largest_error};
 use crate::tradeoff::FrameCycles;
-pub use device::{Cost, Device};
+pub use device::Device;
 use options::Options;
-use picture::{ExactPicture, sampled};
 use specula_testbench::BenchError;
 
 /// Number of pixels at which the search looks.
@@ -248,7 +248,7 @@ impl Tries<'_> {
         let Ok(design) = specula_hdl::elaborate(&spec, "core") else {
             return Ok(Tried { error: f64::INFINITY, cells: u64::MAX });
         };
-        let cost = Cost::of(&design, wanted.device.as_ref());
+        let cost = Cost::of(&design, wanted.device.map(|device| device.block));
         let error = sample.largest_error(&spec)?;
         let (cycles, bound) = (FrameCycles::new(&design, frame), design.error_bound());
         let bound = bound.is_finite().then_some(bound);

@@ -5,7 +5,7 @@ use specula_spec::FULL_SCALE;
 use super::limits::{EXACT, Limits, Reason, Rounding};
 use super::requirement::{QUANTISATION, Requirement};
 use super::row::{PixelPlace, RowRequirement, Shaded};
-use specula_testbench::{Bench, Outcome, Violation};
+use specula_testbench::{Bench, Outcome};
 
 /// A number of things, and the first of them.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -110,11 +110,13 @@ impl Measurements {
             first: clock.map(|&clock| pixel_of(bench, clock)),
             detail: clock.map(|clock| format!("clock {clock}")),
         };
-        let broken = outcome.violation.as_ref();
+        let fact = outcome.violation.as_ref().map(|fact| (fact.clock, fact.in_words()));
+        let moved = || outcome.moved_input.as_ref().map(|moved| (moved.clock, moved.in_words()));
+        let broken = fact.or_else(moved);
         self.broken_facts = Counted {
             number: u64::from(broken.is_some()),
-            first: broken.map(|broken| pixel_of(bench, broken.clock)),
-            detail: broken.map(Violation::in_words),
+            first: broken.as_ref().map(|(clock, _)| pixel_of(bench, *clock)),
+            detail: broken.map(|(_, detail)| detail),
         };
     }
 

@@ -3,9 +3,12 @@
 //!
 //! A core has more ports than a device has pins, so it stands in a harness of three pins. Cells are
 //! those of the core alone. nextpnr's result depends on the seed of its placer, so it runs with
-//! several, and the median is what a core reaches.
+//! several, and the median is what a core reaches. What Yosys has made of the core is also a
+//! [`Netlist`] that a simulator runs.
 mod cells;
 mod harness;
+mod models;
+mod netlist;
 mod path;
 mod place;
 mod target;
@@ -14,10 +17,10 @@ mod yosys;
 use rayon::prelude::*;
 use serde::Serialize;
 use specula_datapath::Design;
-use specula_datapath::verilog::{self, Header};
 use specula_sim::{SimError, temporary_directory};
 
 pub use cells::Cells;
+pub use netlist::Netlist;
 pub use path::{CriticalPath, Step};
 pub use place::Placed;
 pub use target::SynthTarget;
@@ -35,13 +38,25 @@ pub enum SynthError {
         code(specula::synth::placement),
         help(
             "a core that needs more cells than the device has takes a larger target, another \
-             method, or narrower formats (`--max-error`)"
+             method, or narrower formats (`--bound`, `--max-error`)"
         )
     )]
     NotPlaced {
         /// The device.
         device: &'static str,
         /// What nextpnr printed.
+        output: String,
+    },
+    /// Yosys comes without models of the device's cells.
+    #[error("Yosys has no models of the cells of `{target}`, which a simulation needs:\n{output}")]
+    #[diagnostic(
+        code(specula::synth::models),
+        help("they come with Yosys: install the whole of it, or leave out `--simulate`")
+    )]
+    NoModels {
+        /// The target.
+        target: &'static str,
+        /// What Yosys printed.
         output: String,
     },
     /// nextpnr's report is not what this version of Specula knows.
@@ -75,6 +90,9 @@ pub struct Synthesis {
     pub asked_mhz: u32,
     /// What came of each seed of the placer, in the order of seeds.
     pub seeds: Vec<Placed>,
+    /// The core in cells of the device.
+    #[serde(skip)]
+    pub netlist: Netlist,
 }
 
 impl Synthesis {
@@ -101,9 +119,7 @@ pub fn synthesise_and_place(
 ) -> Result<Synthesis, SynthError> {
     let [synthesiser, placer] = [yosys::program()?, target.placer()?];
     let directory = temporary_directory()?;
-    let harness = harness::text(design);
-    let core = verilog::print(&design.to_block(), &Header::default());
-    let cells = yosys::run(&synthesiser, directory.path(), (&core, &harness), design, target)?;
+    let (cells, netlist) = yosys::run(&synthesiser, directory.path(), design, target)?;
     let job = place::Job { placer: &placer, directory: directory.path(), target, asked_mhz };
     let placed = (1..=seeds).into_par_iter().map(|seed| {
         let placed = job.run(design, seed);
@@ -113,5 +129,5 @@ pub fn synthesise_and_place(
     let seeds = placed.collect::<Result<Vec<Placed>, SynthError>>()?;
     let programs = vec![synthesiser.version_line()?, placer.version_line()?];
     let SynthTarget { name, device, .. } = *target;
-    Ok(Synthesis { target: name, device, programs, cells, asked_mhz, seeds })
+    Ok(Synthesis { target: name, device, programs, cells, asked_mhz, seeds, netlist })
 }

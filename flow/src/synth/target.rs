@@ -60,6 +60,14 @@ impl SynthTarget {
     /// Every target that can be placed.
     pub const ALL: [SynthTarget; 2] = [SynthTarget::ECP5, SynthTarget::ICE40_HX];
 
+    /// The file, in Yosys's own folder, that has models of the family's cells.
+    pub(super) fn models(&self) -> &'static str {
+        match self.family {
+            Family::Ecp5 => "+/ecp5/cells_sim.v",
+            Family::Ice40 => "+/ice40/cells_sim.v",
+        }
+    }
+
     /// nextpnr for this family: a program of the system's, or the one of YoWASP.
     ///
     /// # Errors

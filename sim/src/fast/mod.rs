@@ -69,7 +69,7 @@ impl Engine for Fast<'_> {
         watched: &[NodeId],
         sink: &mut dyn FnMut(&Batch) -> Flow,
     ) -> Result<(), SimError> {
-        let plan = plan(self.design, watched, self.settings.batch, self.settings.instruction_set);
+        let plan = plan(self.design, watched, stimulus.has_frames(), self.settings);
         if parallel::pays(self.settings, &plan) {
             Pieces { plan: &plan, design: self.design, stimulus, settings: self.settings, watched }
                 .run(sink);

@@ -115,10 +115,18 @@ fn in_evaluation_order(design: &Design, flow: &Flow, members: Vec<NodeId>) -> Ve
 /// For each root, by how many clocks its column runs ahead: lane p holds clock p + skew.
 ///
 /// In a pipeline whose operands are aligned the skew is the stage, and every operand is read in the
-/// lane of its reader.
-pub fn skews(design: &Design, flow: &Flow, groups: &[Group]) -> HashMap<NodeId, u64> {
+/// lane of its reader. What is still over a run of one frame runs ahead as far as its readers want.
+pub fn skews(
+    design: &Design,
+    flow: &Flow,
+    groups: &[Group],
+    several_frames: bool,
+) -> HashMap<NodeId, u64> {
+    let is_still = |root: NodeId| !several_frames && design.node(root).still;
+    let (still, moving): (Vec<&Group>, Vec<&Group>) =
+        groups.iter().partition(|group| group.members().iter().all(|&member| is_still(member)));
     let mut skews = HashMap::new();
-    for group in groups {
+    for group in moving {
         let members = group.members();
         let ahead = |Source { root, delay }: Source| {
             skews.get(&root).map(|&skew: &u64| skew + u64::from(delay))
@@ -128,5 +136,22 @@ pub fn skews(design: &Design, flow: &Flow, groups: &[Group]) -> HashMap<NodeId, 
             outside.filter(|s| !members.contains(&s.root)).filter_map(ahead).min().unwrap_or(0);
         skews.extend(members.iter().map(|&m| (m, skew)));
     }
+    let mut wanted = HashMap::new();
+    for (&reader, &skew) in &skews {
+        want(&mut wanted, flow.operands(design, reader), skew);
+    }
+    for root in still.iter().rev().flat_map(|group| group.members()) {
+        let skew = wanted.get(root).copied().unwrap_or(0);
+        want(&mut wanted, flow.operands(design, *root), skew);
+        skews.insert(*root, skew);
+    }
     skews
+}
+
+/// Notes how far ahead a reader that is so by `skew` wants its operands.
+fn want(wanted: &mut HashMap<NodeId, u64>, operands: Vec<Source>, skew: u64) {
+    for Source { root, delay } in operands {
+        let ahead = wanted.entry(root).or_default();
+        *ahead = skew.saturating_sub(delay.into()).max(*ahead);
+    }
 }

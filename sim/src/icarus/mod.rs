@@ -28,6 +28,8 @@ const SIMULATOR: Tool = Tool { command: "vvp", ..COMPILER };
 pub struct Icarus<'a> {
     design: &'a Design,
     workshop: Workshop,
+    /// What it warns of.
+    warnings: &'static [&'static str],
     /// What the program that is built watches.
     built: Option<Watch>,
     build_time: Duration,
@@ -40,13 +42,27 @@ impl<'a> Icarus<'a> {
     /// [`SimError::ToolAbsent`] if Icarus is not installed, [`SimError::File`] if there is no room
     /// for the Verilog.
     pub fn new(design: &'a Design) -> Result<Icarus<'a>, SimError> {
+        Icarus::of(design, Workshop::new, &["-Wall"])
+    }
+
+    /// An engine for what a synthesiser has made of `design`: Verilog of a module of its name with its
+    /// ports, and of all cells in it. Of its signals the ports alone can be watched.
+    ///
+    /// # Errors
+    /// As [`Icarus::new`].
+    pub fn of_netlist(design: &'a Design, netlist: &str) -> Result<Icarus<'a>, SimError> {
+        // Cells have ports that are left open.
+        Icarus::of(design, |design| Workshop::of_netlist(design, netlist), &[])
+    }
+
+    fn of(
+        design: &'a Design,
+        workshop: impl FnOnce(&Design) -> Result<Workshop, SimError>,
+        warnings: &'static [&'static str],
+    ) -> Result<Icarus<'a>, SimError> {
         Icarus::present()?;
-        Ok(Icarus {
-            design,
-            workshop: Workshop::new(design)?,
-            built: None,
-            build_time: Duration::ZERO,
-        })
+        let workshop = workshop(design)?;
+        Ok(Icarus { design, workshop, warnings, built: None, build_time: Duration::ZERO })
     }
 
     /// Whether Icarus is installed.
@@ -74,8 +90,10 @@ impl<'a> Icarus<'a> {
             Watch::Ports(_) => &self.workshop.source,
             Watch::Everything => &self.workshop.traced_source,
         };
-        let fixed = ["-g2001", "-Wall", "-s", bench::NAME, "-o", "run.vvp", "bench.v", source];
-        COMPILER.run(self.workshop.path(), &fixed.map(str::to_owned))?;
+        let files = ["-s", bench::NAME, "-o", "run.vvp", "bench.v", source];
+        let arguments = ["-g2001"].iter().chain(self.warnings).chain(&files);
+        let arguments: Vec<String> = arguments.map(|&argument| argument.to_owned()).collect();
+        COMPILER.run(self.workshop.path(), &arguments)?;
         self.build_time += begin.elapsed();
         self.built = Some(watch);
         Ok(())

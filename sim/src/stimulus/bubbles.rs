@@ -1,40 +1,48 @@
-//! The clocks in which time slots of pixels go in: one after the other, or with bubbles between.
+//! The clocks in which time slots of pixels go in: one after the other, or with bubbles or the end of
+//! a frame between.
 use std::ops::Range;
 use std::sync::Arc;
 
 /// The clocks in which the time slots of all pixels go in, in order.
 #[derive(Clone, Debug)]
 pub(crate) enum SlotClocks {
-    /// One in each clock, so many of them.
-    Consecutive(u64),
-    /// With bubbles, clocks in which none goes in.
-    Paused(Bubbles),
+    /// One in each clock.
+    Consecutive {
+        /// The clock of the first.
+        first: u64,
+        /// How many there are.
+        count: u64,
+    },
+    /// With clocks between in which none goes in.
+    Paused(Pauses),
 }
 
-/// Time slots with bubbles of 0 to 4 clocks before each.
+/// Time slots with clocks between in which none goes in.
 #[derive(Clone, Debug)]
-pub(crate) struct Bubbles {
-    seed: u64,
+pub(crate) struct Pauses {
+    /// The seed of random bubbles, if there are any.
+    seed: Option<u64>,
     /// The clock of each time slot.
     clocks: Arc<[u64]>,
 }
 
 impl SlotClocks {
-    /// So many time slots with random bubbles.
-    pub fn paused(slots: u64, seed: u64) -> SlotClocks {
+    /// So many time slots, each of which waits for as many clocks as `wait` says, and with a seed for
+    /// a random bubble of 0 to 4 clocks besides.
+    pub fn paused(slots: u64, seed: Option<u64>, wait: impl Fn(u64) -> u64) -> SlotClocks {
         let clocks = (0..slots).scan(0, |clock, slot| {
-            let own = *clock + bubble(seed, slot);
+            let own = *clock + wait(slot) + seed.map_or(0, |seed| bubble(seed, slot));
             *clock = own + 1;
             Some(own)
         });
-        SlotClocks::Paused(Bubbles { seed, clocks: clocks.collect() })
+        SlotClocks::Paused(Pauses { seed, clocks: clocks.collect() })
     }
 
     /// How many time slots there are.
     pub fn count(&self) -> u64 {
         match self {
-            SlotClocks::Consecutive(count) => *count,
-            SlotClocks::Paused(bubbles) => bubbles.clocks.len() as u64,
+            SlotClocks::Consecutive { count, .. } => *count,
+            SlotClocks::Paused(pauses) => pauses.clocks.len() as u64,
         }
     }
 
@@ -42,8 +50,8 @@ impl SlotClocks {
     /// last.
     pub fn clock_of(&self, slot: u64) -> u64 {
         match self {
-            SlotClocks::Consecutive(count) => slot.min(*count),
-            SlotClocks::Paused(Bubbles { clocks, .. }) => match clocks.get(slot as usize) {
+            SlotClocks::Consecutive { first, count } => first + slot.min(*count),
+            SlotClocks::Paused(Pauses { clocks, .. }) => match clocks.get(slot as usize) {
                 Some(&clock) => clock,
                 None => clocks.last().map_or(0, |last| last + 1),
             },
@@ -54,8 +62,8 @@ impl SlotClocks {
     /// else next.
     pub fn before(&self, clock: u64) -> u64 {
         match self {
-            SlotClocks::Consecutive(count) => clock.min(*count),
-            SlotClocks::Paused(Bubbles { clocks, .. }) => {
+            SlotClocks::Consecutive { first, count } => clock.saturating_sub(*first).min(*count),
+            SlotClocks::Paused(Pauses { clocks, .. }) => {
                 clocks.partition_point(|&own| own < clock) as u64
             }
         }
@@ -72,8 +80,8 @@ impl SlotClocks {
     pub fn run_from(&self, slot: u64, end: u64) -> Range<u64> {
         let first = self.clock_of(slot);
         match self {
-            SlotClocks::Consecutive(_) => first..self.clock_of(end),
-            SlotClocks::Paused(Bubbles { clocks, .. }) => {
+            SlotClocks::Consecutive { .. } => first..self.clock_of(end),
+            SlotClocks::Paused(Pauses { clocks, .. }) => {
                 let row = clocks[slot as usize..end as usize].iter();
                 let follow = row.zip(first..).take_while(|(own, expected)| *own == expected);
                 first..first + follow.count() as u64
@@ -84,8 +92,8 @@ impl SlotClocks {
     /// A bit for the bubble at `clock` that means nothing; 1 where there are no bubbles.
     pub fn nonsense(&self, clock: u64) -> bool {
         match self {
-            SlotClocks::Consecutive(_) => true,
-            SlotClocks::Paused(Bubbles { seed, .. }) => drawn(!seed, clock) & 1 == 1,
+            SlotClocks::Paused(Pauses { seed: Some(seed), .. }) => drawn(!seed, clock) & 1 == 1,
+            SlotClocks::Consecutive { .. } | SlotClocks::Paused(_) => true,
         }
     }
 }
@@ -111,7 +119,10 @@ mod tests {
 
     #[test]
     fn time_slots_are_found_by_their_clock() {
-        for clocks in [SlotClocks::Consecutive(500), SlotClocks::paused(500, 7)] {
+        let wait = |slot: u64| if slot.is_multiple_of(100) { 11 } else { 0 };
+        let consecutive = |first| SlotClocks::Consecutive { first, count: 500 };
+        let paused = [None, Some(7)].map(|seed| SlotClocks::paused(500, seed, wait));
+        for clocks in [0, 3].map(consecutive).into_iter().chain(paused) {
             let all: Vec<u64> = (0..500).map(|slot| clocks.clock_of(slot)).collect();
             assert!(all.is_sorted_by(|a, b| a < b));
             let end = clocks.clock_of(500);
@@ -126,7 +137,7 @@ mod tests {
 
     #[test]
     fn bubbles_are_of_0_to_4_clocks_and_runs_lie_between() {
-        let clocks = SlotClocks::paused(500, 7);
+        let clocks = SlotClocks::paused(500, Some(7), |_| 0);
         let before = |slot: u64| if slot == 0 { 0 } else { clocks.clock_of(slot - 1) + 1 };
         let lengths: Vec<u64> = (0..500).map(|slot| clocks.clock_of(slot) - before(slot)).collect();
         for length in 0..=4 {
@@ -144,7 +155,7 @@ mod tests {
 
     #[test]
     fn another_seed_pauses_elsewhere() {
-        let [a, b] = [1, 2].map(|seed| SlotClocks::paused(100, seed));
+        let [a, b] = [1, 2].map(|seed| SlotClocks::paused(100, Some(seed), |_| 0));
         assert!((0..100).any(|slot| a.clock_of(slot) != b.clock_of(slot)));
         let bits = |clocks: &SlotClocks| (0..64).filter(|&c| clocks.nonsense(c)).count();
         assert!((16..48).contains(&bits(&a)) && (16..48).contains(&bits(&b)));

@@ -12,6 +12,8 @@ pub struct InputHold {
     pub valid: bool,
     /// Whether `start` is high in the first clock; in the others it is low.
     pub starts: bool,
+    /// The span whose inputs are held; `None` if there is no span at all.
+    pub span: Option<usize>,
     /// Raw values of the core's data inputs.
     pub inputs: Vec<i64>,
 }
@@ -58,9 +60,10 @@ impl<'a> HoldRanges<'a> {
     }
 
     /// A clock without a pixel before the time slot number `slot`. Within a span its inputs are
-    /// held and `start` means nothing. Else they may be those of either span, and `start` is high.
+    /// held and `start` means nothing. Else they may be those of either span, and `start` is high;
+    /// between frames those of the one before until its last pixel has left, then the next one's.
     fn idle(&self, slot: u64) -> HoldRange {
-        let Stimulus { slots, first_pixels, .. } = self.stimulus;
+        let Stimulus { slots, first_pixels, frames, .. } = self.stimulus;
         let nonsense = slots.nonsense(self.clock);
         let next = Some(self.span).filter(|&span| span < first_pixels.spans());
         let within = next.is_some() && slot > self.own.start;
@@ -68,6 +71,9 @@ impl<'a> HoldRanges<'a> {
         let clocks = self.clock..self.clock + 1;
         let (starts, span) = if within {
             (nonsense, next)
+        } else if slot > 0 && frames.begin_with(self.span) {
+            let drained = frames.have_drained(slots.clock_of(slot - 1), self.clock);
+            (true, if drained { next } else { before })
         } else if nonsense {
             (true, before.or(next))
         } else {

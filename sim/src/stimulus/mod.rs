@@ -7,7 +7,12 @@
 //! at the first pixel of a span: with `start` low it would show a pixel behind the last one of the
 //! span, for which no unit answers. What overflows there is nobody's business in hardware, but has
 //! to be the same in every engine.
+//!
+//! Spans may be of several frames. What holds for a frame is then changed between them by the rule
+//! that [`Hold::Frame`](specula_datapath::Hold::Frame) states: when the last pixel has left, and as
+//! early before the next one as the design's [`settling`](Design::settling) asks for.
 mod bubbles;
+mod frames;
 mod hold;
 mod spans;
 
@@ -16,14 +21,17 @@ use std::ops::Range;
 use specula_datapath::Design;
 
 use bubbles::SlotClocks;
+use frames::Frames;
 pub use hold::InputHold;
 pub(crate) use hold::{HoldRange, HoldRanges};
 pub use spans::{FirstPixels, SpanSource};
 
 /// The stimulus of a run.
+#[derive(Clone)]
 pub struct Stimulus<'a> {
     spans: &'a dyn SpanSource,
     first_pixels: FirstPixels,
+    frames: Frames,
     /// Clocks of a pixel.
     interval: u64,
     /// The clocks in which time slots go in.
@@ -46,27 +54,40 @@ impl<'a> Stimulus<'a> {
         design: &Design,
     ) -> Stimulus<'a> {
         let interval = u64::from(design.interval);
-        let slots = SlotClocks::Consecutive(first_pixels.pixels() * interval);
-        let clocks = 0..slots.count() + u64::from(design.latency()) + 1;
-        Stimulus { spans, first_pixels: first_pixels.clone(), interval, slots, clocks }
+        let (frames, count) = (Frames::of(spans, design), first_pixels.pixels() * interval);
+        let slots = SlotClocks::Consecutive { first: frames.wait_for(0), count };
+        let clocks = 0..slots.clock_of(count) + u64::from(design.latency()) + 1;
+        let first_pixels = first_pixels.clone();
+        let run = Stimulus { spans, first_pixels, frames, interval, slots, clocks };
+        if run.frames.are_several() { run.paused(None) } else { run }
     }
 
     /// The same whole run with random bubbles of 0 to 4 clocks before each time slot. The same seed
     /// gives the same bubbles.
     pub fn with_bubbles(self, seed: u64) -> Stimulus<'a> {
+        self.paused(Some(seed))
+    }
+
+    /// The same whole run with the clocks that frames need between them, and with a seed random
+    /// bubbles.
+    fn paused(self, seed: Option<u64>) -> Stimulus<'a> {
         let count = self.slots.count();
         let idle = self.clocks.end - self.slots.clock_of(count);
-        let slots = SlotClocks::paused(count, seed);
+        let wait = |slot: u64| {
+            let span = self.first_pixels.span_of(slot / self.interval);
+            if slot == self.first_slot(span) { self.frames.wait_for(span) } else { 0 }
+        };
+        let slots = SlotClocks::paused(count, seed, wait);
         Stimulus { clocks: 0..slots.clock_of(count) + idle, slots, ..self }
     }
 
     /// The part of the run that `window` needs: from the beginning of a span early enough that at
     /// the window's first clock every register holds what it would hold in the whole run.
     ///
-    /// Data takes at most the latency through the core, and accumulators are loaded at the
-    /// beginning of a span.
+    /// Data takes at most the latency through the core, and the clocks in which it settles if it
+    /// holds for a frame; and accumulators are loaded at the beginning of a span.
     pub fn leading_to(&self, window: &Range<u64>, design: &Design) -> Stimulus<'a> {
-        self.reaching_back(window, design.latency().into())
+        self.reaching_back(window, u64::from(design.latency()) + u64::from(design.settling()))
     }
 
     /// The part of the run from `clocks` before the beginning of a span to the window's end. Of the
@@ -78,8 +99,12 @@ impl<'a> Stimulus<'a> {
         // What a span loads may be added to by something that is older by up to as many clocks.
         let first = self.begin_of(span).saturating_sub(clocks).min(early);
         let end = window.end.min(self.clocks.end);
-        let (first_pixels, slots) = (self.first_pixels.clone(), self.slots.clone());
-        Stimulus { first_pixels, slots, clocks: first.max(self.clocks.start)..end, ..*self }
+        Stimulus { clocks: first.max(self.clocks.start)..end, ..self.clone() }
+    }
+
+    /// Whether its spans are of several frames.
+    pub(crate) fn has_frames(&self) -> bool {
+        self.frames.are_several()
     }
 
     /// The clocks of the run.
@@ -145,7 +170,8 @@ impl<'a> Stimulus<'a> {
         self.hold_ranges().map(|range| {
             let mut inputs = vec![];
             self.append_inputs(&range, &mut inputs);
-            InputHold { clocks: range.clocks, valid: range.valid, starts: range.starts, inputs }
+            let HoldRange { clocks, valid, starts, span } = range;
+            InputHold { clocks, valid, starts, span, inputs }
         })
     }
 
@@ -165,6 +191,7 @@ impl<'a> Stimulus<'a> {
 #[cfg(test)]
 mod tests {
     use specula_datapath::SpanPacket;
+    use specula_fixtures::designs;
 
     use super::*;
 
@@ -178,9 +205,10 @@ mod tests {
 
     /// Of pixels of so many clocks, with two idle clocks behind the last.
     fn stimulus(packets: &Vec<SpanPacket>, interval: u64) -> Stimulus<'_> {
-        let slots = SlotClocks::Consecutive(8 * interval);
+        let slots = SlotClocks::Consecutive { first: 0, count: 8 * interval };
         let (first_pixels, clocks) = (FirstPixels::of(packets), 0..8 * interval + 2);
-        Stimulus { spans: packets, first_pixels, interval, slots, clocks }
+        let frames = Frames::of(packets, &designs::empty("nothing"));
+        Stimulus { spans: packets, first_pixels, frames, interval, slots, clocks }
     }
 
     #[test]

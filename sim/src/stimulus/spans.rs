@@ -12,6 +12,12 @@ pub trait SpanSource: Sync {
     fn length(&self, index: usize) -> u32;
     /// Appends the raw inputs of span `index`, in port order.
     fn append_inputs(&self, index: usize, inputs: &mut Vec<i64>);
+    /// Whether span `index`, which is not the first, is the first of a frame, so that what holds for
+    /// a frame may be another than before: the inputs of these numbers. A source is one frame,
+    /// unless it says otherwise.
+    fn begins_frame(&self, _index: usize, _frame_inputs: &[usize]) -> bool {
+        false
+    }
 }
 
 impl SpanSource for Vec<SpanPacket> {
@@ -25,6 +31,12 @@ impl SpanSource for Vec<SpanPacket> {
 
     fn append_inputs(&self, index: usize, inputs: &mut Vec<i64>) {
         inputs.extend_from_slice(&self[index].inputs);
+    }
+
+    /// As often as it has to be.
+    fn begins_frame(&self, index: usize, frame_inputs: &[usize]) -> bool {
+        let [before, own] = [&self[index - 1].inputs, &self[index].inputs];
+        frame_inputs.iter().any(|&input| before[input] != own[input])
     }
 }
 

@@ -29,6 +29,7 @@ impl Draft {
             range,
             fraction_bits: 0,
             stage,
+            still: false,
             scope,
             name,
             named,

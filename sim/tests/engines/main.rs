@@ -3,6 +3,7 @@ mod agreement;
 mod cores;
 mod delays;
 mod dump;
+mod frames;
 mod installed;
 mod netlists;
 mod number;

@@ -5,7 +5,7 @@ use serde::{Serialize, Serializer};
 use specula_datapath::design::Size;
 use specula_experiments::{BoundShare, Savings};
 use specula_spec::CoreSpec;
-use specula_testbench::{Errors, Violation, WorstQuantisation};
+use specula_testbench::{Errors, MovedInput, Violation, WorstQuantisation};
 
 use super::facts::{self, Fact};
 use crate::device::Fitted;
@@ -41,6 +41,8 @@ pub struct Report<'a> {
     pub wrong_clocks: usize,
     /// The first fact that did not hold.
     pub violation: Option<ViolatedFact<'a>>,
+    /// The first input that holds for a frame and did not stand still, in words.
+    pub moved_input: Option<String>,
     pub first_mismatch: Option<FirstMismatch>,
     /// The largest quantisation error that is above its bound.
     pub beyond_bound: Option<BrokenBound>,
@@ -155,6 +157,7 @@ impl<'a> Report<'a> {
             mismatches: comparison.mismatches,
             wrong_clocks: outcome.wrong_clocks.len(),
             violation: outcome.violation.as_ref().map(violated_fact),
+            moved_input: outcome.moved_input.as_ref().map(MovedInput::in_words),
             first_mismatch: run.disagreement.as_ref().and_then(first_mismatch),
             beyond_bound: run
                 .disagreement

@@ -6,6 +6,7 @@ use super::facts::Fact;
 use super::pictures::{ERROR, EXACT, EXPECTED, SIMULATED};
 use super::{Report, ports, rows, units};
 use crate::table::markdown as table;
+use crate::verilog::between_frames;
 use crate::{cmd_needs, waveform, worst_pixel};
 
 /// The text of `report.md`. It contains no times, so that the same run gives the same bytes.
@@ -133,7 +134,7 @@ fn bound_shares(report: &Report) -> String {
         report.bound_shares.iter().filter(|share| share.lsb >= 0.0005).map(row).collect();
     let text = format!(
         "The bound is {ratio:.1} times the largest quantisation error of this picture. It is for every scene with the same ranges; where formats were\n\
-         narrowed for this picture (`--max-error`, `explore`), only what was measured is within that goal.\n"
+         narrowed for this picture (`--max-error`, `--max-quantisation`, `explore`), only what was measured is within that goal.\n"
     );
     if rows.is_empty() {
         return text;
@@ -184,9 +185,10 @@ fn ports_of(report: &Report) -> String {
         "## Ports\n\n{}\n\
          {entering}, and `start` in the first clock of a span only. A span's data inputs are held from\n\
          its first clock to its last; between them and between spans there may be clocks in which `valid` is low. A pixel\n\
-         {leaving} clock c leaves in clock c + {}, with `valid_out` high.\n",
+         {leaving} clock c leaves in clock c + {}, with `valid_out` high.\n{}",
         table(["port", "direction", "bits", "format", "meaning"], &rows),
-        design.depth()
+        design.depth(),
+        between_frames(design).map(|rule| format!("{rule}\n")).unwrap_or_default()
     )
 }
 

@@ -24,7 +24,8 @@ pub fn rows(spec: &CoreSpec, design: &Design) -> Vec<[String; 5]> {
     rows.extend(built.map(|(port, node)| {
         let range =
             format!("{} to {}", port.format.value(port.range.0), port.format.value(port.range.1));
-        data(design, node, "in", range)
+        let held = if design.node(node).still { "; holds for the frame" } else { "" };
+        data(design, node, "in", format!("{range}{held}"))
     }));
     rows.push(control(&name(design.valid_out), "out", "a pixel leaves"));
     rows.extend(

@@ -30,6 +30,43 @@ fn headers_say_what_the_core_is() {
     }
 }
 
+/// The arguments that chose the formats, and the device whose blocks they are cheapest on.
+#[test]
+fn headers_have_the_command_that_makes_the_same_core() {
+    let place = Place::new();
+    let teapot = ["generate", "teapot", "--size", "64x48", "--method", "hybrid"];
+    let device = ["--device", "ice40up5k"];
+    for (asked, recorded) in [
+        (vec!["--bound", "0.75lsb"], " --bound 0.75lsb"),
+        ([&["--bound", "1lsb"], &device[..]].concat(), " --bound 1lsb --device ice40up5k"),
+        (vec!["--max-error", "25lsb"], " --max-error 25lsb"),
+        (vec!["--max-quantisation", "1.5lsb"], " --max-quantisation 1.5lsb"),
+        (device.to_vec(), ""),
+    ] {
+        let verilog = place.succeeds(&[&teapot[..], &asked, &["-o", "-"]].concat());
+        let command = format!("specula {}{recorded}", teapot.join(" "));
+        let found = verilog.lines().find_map(|line| line.strip_prefix("//   specula"));
+        assert_eq!(found.map(|rest| format!("specula{rest}")), Some(command.clone()));
+        let words: Vec<&str> = command.split(' ').skip(1).chain(["-o", "-"]).collect();
+        assert!(place.succeeds(&words) == verilog, "{command}");
+    }
+}
+
+#[test]
+fn a_bound_is_kept_and_named_formats_stay() {
+    let place = Place::new();
+    place.write(
+        "named.toml",
+        "[[object]]\nprimitive = \"teapot\"\n[core]\nmethod = \"lyon\"\n[core.lyon.formats]\nvector = \"S1.16\"\n",
+    );
+    place.succeeds(&["run", "named.toml", "--size", "48x36", "--bound", "0.8lsb"]);
+    let report = place.report("out/named");
+    let bound = report["bound_lsb"].as_f64().unwrap();
+    assert!(bound < 0.8 && bound > 0.5, "{bound}");
+    let spec = fs::read_to_string(place.path("out/named/spec.toml")).unwrap();
+    assert!(spec.contains("vector = \"S1.16\""), "{spec}");
+}
+
 #[test]
 fn names_that_verilog_keeps_are_avoided() {
     let place = Place::new();
@@ -115,4 +152,40 @@ fn the_verilog_of_a_run_is_not_exchanged() {
     // A folder with nothing but a generated core can become a run's.
     place.succeeds(&["generate", "teapot", "-o", "core"]);
     place.succeeds(&["run", "teapot", "--size", "64x48", "-o", "core"]);
+}
+
+/// Whatever words ask for a clock, the command in the header makes the same bytes.
+#[test]
+fn the_command_in_the_header_makes_the_same_core() {
+    let place = Place::new();
+    let asked = [
+        &["--target", "ecp5"][..],
+        &["--target", "ecp5", "--clock", "max"],
+        &["--target", "ecp5", "--clock", "87.5"],
+        &["--target", "generic"],
+    ];
+    for words in asked {
+        let wanted = ["generate", "torus", "--size", "32x24", "--method", "gouraud", "-o", "-"];
+        let text = place.succeeds(&[&wanted[..], words].concat());
+        let command = text.lines().find_map(|line| line.strip_prefix("//   specula "));
+        let command = command.expect("the header has the command");
+        assert_eq!(command.contains(" --target ecp5 --clock "), words[1] == "ecp5", "{command}");
+        let again: Vec<&str> = command.split(' ').chain(["-o", "-"]).collect();
+        assert!(place.succeeds(&again) == text, "{command}");
+    }
+}
+
+#[test]
+fn a_clock_is_asked_for_on_a_target() {
+    let place = Place::new();
+    let refused = |words: &[&str]| {
+        let ended = place.specula(&[&["generate", "torus", "-o", "-"], words].concat());
+        assert_eq!(ended.status, Some(2), "{words:?}");
+        ended.stderr
+    };
+    assert!(refused(&["--clock", "100"]).contains("--target <TARGET>"));
+    assert!(refused(&["--target", "ecp6"]).contains("ecp5"));
+    assert!(refused(&["--target", "ecp5", "--clock", "0"]).contains("from 1 to 1000 MHz"));
+    let run = place.specula(&["run", "torus", "--clock", "max"]);
+    assert!(run.stderr.contains("--target <TARGET>"), "{}", run.stderr);
 }

@@ -92,7 +92,7 @@ impl Lowering<'_> {
         self.graph.groups.push(vec![]);
         let group = GroupId(self.graph.groups.len() as u32 - 1);
         let value = &mut self.graph.values[id.0 as usize];
-        (value.pace, value.together) = (pace, Some(group));
+        (value.pace, value.together, value.still) = (pace, Some(group), false);
     }
 
     /// The accumulated value in pieces of so many bits from the right on.

@@ -155,16 +155,16 @@ impl<'a> Lowering<'a> {
         // Parts of values that fit 63 bits fit them, and so do partial sums that a bit is added to.
         let range = wide.narrow().expect("a part of a value");
         let (pace, together, fraction_bits) = (Pace::Target, None, at.fraction_bits);
-        let scope = at.scope;
-        self.push(Value { op, pace, together, range, fraction_bits, scope, name, named: false })
+        let (scope, still, named) = (at.scope, self.graph.gives_still(op, pace), false);
+        self.push(Value { op, pace, together, range, fraction_bits, still, scope, name, named })
     }
 
     fn integer(&mut self, at: Place, value: i64) -> NodeId {
         let (op, range) = (Op::Constant(value), Range::single(value));
         let name = String::new();
         let (pace, together, fraction_bits) = (Pace::Wire, None, at.fraction_bits);
-        let scope = at.scope;
-        self.push(Value { op, pace, together, range, fraction_bits, scope, name, named: true })
+        let (scope, still, named) = (at.scope, true, true);
+        self.push(Value { op, pace, together, range, fraction_bits, still, scope, name, named })
     }
 
     /// A value divided by 2^`bits`, rounded down.

@@ -94,7 +94,7 @@ impl<'a> Placing<'a> {
             }
             _ => self.push(node),
         };
-        self.signals[id.0 as usize] = Some(self.aligned(signal, self.schedule.stage(id)));
+        self.signals[id.0 as usize] = Some(self.delayed(signal, self.schedule.stage(id)));
     }
 
     /// The signal of a value with the register behind its operator; that of a product in a block is
@@ -110,6 +110,7 @@ impl<'a> Placing<'a> {
             register: if registers > 0 { Register::Data } else { Register::None },
             range: value.range,
             fraction_bits: value.fraction_bits,
+            still: value.still,
             stage,
             scope: value.scope,
             name: value.name.clone(),
@@ -172,10 +173,15 @@ impl<'a> Placing<'a> {
         !node.registered() && outside == Some(self.node(from).scope)
     }
 
-    /// The signal as it is at a later `stage`.
+    /// The signal as it is at a later `stage`: what is still is the same at any.
     fn aligned(&mut self, signal: NodeId, stage: u32) -> NodeId {
+        if self.node(signal).still { signal } else { self.delayed(signal, stage) }
+    }
+
+    /// The signal behind registers that delay it to `stage`.
+    fn delayed(&mut self, signal: NodeId, stage: u32) -> NodeId {
         let mut at = signal;
-        while self.node(at).op.constant().is_none() && self.node(at).stage < stage {
+        while self.node(at).stage < stage {
             at = match self.delays.get(&at) {
                 Some(&delayed) => delayed,
                 None => self.delay(at),
@@ -262,7 +268,7 @@ impl<'a> Placing<'a> {
         let node = self.node(signal).clone();
         let name = self.unique(ScopeId::TOP, name);
         let (op, register, scope) = (Op::Copy(signal), Register::None, ScopeId::TOP);
-        self.push(Node { op, register, stage, scope, name, named: true, ..node })
+        self.push(Node { op, register, scope, name, named: true, ..node })
     }
 
     /// `name`, or with a number behind it where the unit has it already.

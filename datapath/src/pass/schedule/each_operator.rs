@@ -28,26 +28,28 @@ pub fn schedule(graph: &Graph) -> Schedule {
     schedule.groups =
         graph.groups.iter().map(|members| latest(graph, members, &schedule)).collect();
     let leaving: Vec<NodeId> = graph.leaving().map(|(_, id)| id).collect();
-    // Validity has a register of its own also where every output is a constant.
-    let constant = leaving.iter().any(|&id| graph.is_constant(id));
-    schedule.last = latest(graph, &leaving, &schedule).max(u32::from(constant));
+    // Validity has a register of its own also where every output is still.
+    let still = leaving.iter().any(|&id| graph.is_still(id));
+    schedule.last = latest(graph, &leaving, &schedule).max(u32::from(still));
     schedule
 }
 
 fn operands_at(graph: &Graph, value: &Value, schedule: &Schedule) -> u32 {
     match value.together {
+        _ if value.still => schedule.settled(value),
         Some(group) => latest(graph, graph.group(group), schedule),
         None => latest(graph, &value.op.operands().collect::<Vec<_>>(), schedule),
     }
 }
 
-/// The stage of the latest value; constants are there at any time.
+/// The stage of the latest value; what is still is there at any time.
 fn latest(graph: &Graph, values: &[NodeId], schedule: &Schedule) -> u32 {
-    let variable = values.iter().filter(|&&id| !graph.is_constant(id));
-    variable.map(|&id| schedule.stage(id)).max().unwrap_or(0)
+    let moving = values.iter().filter(|&&id| !graph.is_still(id));
+    moving.map(|&id| schedule.stage(id)).max().unwrap_or(0)
 }
 
-fn registers_after(op: &Op) -> u32 {
+/// Registers behind an operator.
+pub(super) fn registers_after(op: &Op) -> u32 {
     match op {
         Op::Add(..) | Op::Sub(..) | Op::Mul(..) | Op::Select(..) => 1,
         Op::Input

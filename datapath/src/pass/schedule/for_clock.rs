@@ -10,6 +10,8 @@
 //! minimise     sum of width(v) (latest(v) - s(v))   with latest(v) >= a(reader)
 //! ```
 //!
+//! What is still stands outside of that: it has a register behind each of its operators.
+//!
 //! [XLS and Vivado HLS schedule in this way: Cong and Zhang 2006, systems of difference
 //! constraints.]
 use super::Schedule;
@@ -82,6 +84,8 @@ impl<'a> Programme<'a> {
         let groups: Vec<Variable> = graph.groups.iter().map(|_| differences.variable()).collect();
         let taken = graph.values.iter().map(|value| match (value.op, value.together) {
             (Op::Input, _) => entry,
+            // Nothing depends on it.
+            _ if value.still => entry,
             (_, Some(group)) => groups[group.0 as usize],
             (_, None) => differences.variable(),
         });
@@ -115,7 +119,7 @@ impl<'a> Programme<'a> {
 
     /// Asks that a value be there at a stage, so many clocks after it is at the earliest.
     fn there(&mut self, id: NodeId, stage: Variable, later: i64) {
-        if !self.graph.is_constant(id) {
+        if !self.graph.is_still(id) {
             let clocks = self.clocks(self.value(id));
             self.differences.at_least(stage, self.taken(id), clocks + later);
         }
@@ -128,7 +132,7 @@ impl<'a> Programme<'a> {
             self.differences.at_least(group, self.entry, 0);
             members.iter().for_each(|&member| self.there(member, group, 0));
         }
-        for (id, value) in self.values() {
+        for (id, value) in self.values().filter(|(_, value)| !value.still) {
             self.differences.at_least(self.taken(id), self.entry, 0);
             if value.together.is_none() || matches!(value.pace, Pace::Feedback | Pace::Cleared) {
                 for operand in value.op.operands() {
@@ -163,7 +167,7 @@ impl<'a> Programme<'a> {
     /// Weighs each value's registers by its width.
     fn weigh(&mut self) {
         for (id, value) in self.values() {
-            if self.graph.is_constant(id) {
+            if value.still {
                 continue;
             }
             let width = i64::from(value.range.width());
@@ -193,13 +197,18 @@ impl<'a> Programme<'a> {
     fn scheduled(&self, solution: &Solution) -> Schedule {
         let entry = solution.of(self.entry);
         let stage = |variable| (solution.of(variable) - entry) as u32;
-        let taken: Vec<u32> = self.taken.iter().map(|&variable| stage(variable)).collect();
+        let mut taken: Vec<u32> = self.taken.iter().map(|&variable| stage(variable)).collect();
         let mut schedule = Schedule {
             groups: self.groups.iter().map(|&group| stage(group)).collect(),
             last: stage(self.last),
             ..Schedule::default()
         };
         for (id, value) in self.values() {
+            if value.still {
+                taken[id.0 as usize] = schedule.settled(value);
+                self.settle(id, taken[id.0 as usize], &mut schedule);
+                continue;
+            }
             let own = taken[id.0 as usize];
             let there = own + self.clocks(value) as u32;
             let read_at = |reader: &NodeId| {
@@ -221,6 +230,20 @@ impl<'a> Programme<'a> {
         }
         schedule.taken = taken;
         schedule
+    }
+
+    /// Adds a still value, whose operands have settled at a stage, with the registers of its operator.
+    fn settle(&self, id: NodeId, settled: u32, schedule: &mut Schedule) {
+        let value = self.value(id);
+        let registers = match value.pace {
+            Pace::Target if self.paths.in_block(value) => self.paths.block_registers(value),
+            Pace::Target => super::each_operator::registers_after(&value.op),
+            Pace::Register => 1,
+            _ => 0,
+        };
+        schedule.stages.push(settled + registers);
+        schedule.registers.push(registers);
+        schedule.in_block.push(self.paths.in_block(value));
     }
 
     /// Whether a value crosses the border of a unit, as a wire.

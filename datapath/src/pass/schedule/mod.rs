@@ -8,6 +8,8 @@
 //! a(v) >= s(operand)       of operators
 //! a(v) >= s(member)        of values that are taken together with a group, for all of them alike
 //! ```
+//! Of operands and members those count that are not still: what is still is there at any time, waits
+//! for nothing and moves no other value. Its own stage counts the registers from the inputs to it.
 mod difference;
 mod each_operator;
 mod for_clock;
@@ -16,7 +18,7 @@ mod paths;
 pub(crate) use for_clock::longest;
 
 use crate::design::NodeId;
-use crate::graph::{Graph, GroupId, Pace};
+use crate::graph::{Graph, GroupId, Pace, Value};
 
 use super::Pipelining;
 
@@ -73,6 +75,11 @@ impl Schedule {
         self.taken[id.0 as usize]
     }
 
+    /// The stage at which the operands of a still value, which are still, have all settled.
+    fn settled(&self, value: &Value) -> u32 {
+        value.op.operands().map(|id| self.stage(id)).max().unwrap_or(0)
+    }
+
     /// The stage at which the outputs leave together.
     pub fn last(&self) -> u32 {
         self.last
@@ -99,7 +106,8 @@ fn check_loops(graph: &Graph, schedule: &Schedule) -> Result<(), LoopTooLate> {
             continue;
         }
         let own = schedule.stage(NodeId(index as u32));
-        let late = value.op.operands().map(|id| schedule.stage(id).saturating_sub(own)).max();
+        let moving = value.op.operands().filter(|&id| !graph.is_still(id));
+        let late = moving.map(|id| schedule.stage(id).saturating_sub(own)).max();
         if let Some(clocks) = late.filter(|&clocks| clocks > 0) {
             let path = graph.path(value.scope).join(".");
             return Err(LoopTooLate { signal: format!("{path}.{}", value.name), clocks });

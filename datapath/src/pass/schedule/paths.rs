@@ -73,7 +73,8 @@ impl<'a> Paths<'a> {
         let mut arrival: Vec<Option<(f64, u32)>> = vec![None; self.graph.values.len()];
         for index in 0..self.graph.values.len() {
             let from = NodeId(index as u32);
-            if !self.graph.is_constant(from) {
+            // What is still begins no path but its own, of one operator.
+            if !self.graph.is_still(from) {
                 self.paths_from(from, &mut arrival, &mut found);
             }
         }

@@ -14,7 +14,6 @@ use specula_datapath::design::{NodeId, Op};
 use specula_kernels::Post;
 
 use super::flow::{Flow, Fused, Source};
-use super::idle::overflowing;
 use super::memory::fits_narrow;
 
 /// What is done to the raw result of each root, and the range of what is stored.
@@ -61,25 +60,19 @@ impl Readers {
     }
 }
 
-/// Fuses what can be fused; `flow` then leads past what was.
+/// Fuses what can be fused of the roots that are needed for what is watched; `flow` then leads past
+/// what was. What may overflow stays as it is, and is wrapped.
 pub fn fuse(
     design: &Design,
     flow: &mut Flow,
-    needed: &[NodeId],
-    watched: &[NodeId],
+    (needed, watched): (&[NodeId], &[NodeId]),
     in_component: &dyn Fn(NodeId) -> bool,
+    overflowing: HashSet<NodeId>,
 ) -> Fusion {
     let readers = Readers::of(design, flow, needed, watched);
     let (fusion, half_rounded) = (Fusion::default(), HashSet::new());
-    let mut fuser = Fuser {
-        design,
-        flow,
-        readers,
-        in_component,
-        overflowing: overflowing(design),
-        fusion,
-        half_rounded,
-    };
+    let mut fuser =
+        Fuser { design, flow, readers, in_component, overflowing, fusion, half_rounded };
     for &id in needed {
         fuser.look_at(id);
     }

@@ -13,9 +13,11 @@ use specula_kernels::{Arithmetic, Bits, InstructionSet};
 
 use super::flow::{Flow, Recurrence, Source};
 use super::fuse::{Fusion, fuse};
+use super::idle;
 use super::memory::{Memory, Place, fits_narrow};
 use super::schedule::{Group, groups, in_components, needed, skews};
 use super::serial::{Accumulator, Holder, Member, Serial};
+use super::settings::Settings;
 use super::step::{Step, Work};
 
 /// A signal that the caller wants.
@@ -32,13 +34,22 @@ pub enum Watched {
     Constant(i64),
 }
 
+/// The column of an input.
+#[derive(Clone, Copy, Debug)]
+pub struct InputPlace {
+    /// The column.
+    pub place: Place,
+    /// Clocks by which it runs ahead: not 0 of inputs alone that hold over the whole run.
+    pub ahead: u64,
+}
+
 /// What is done for a batch of clocks.
 #[derive(Clone)]
 pub struct Plan {
     /// The columns.
     pub memory: Memory,
     /// The columns of the core's inputs that are needed, by signal.
-    pub inputs: HashMap<NodeId, Place>,
+    pub inputs: HashMap<NodeId, InputPlace>,
     /// The steps, in order.
     pub steps: Vec<Step>,
     /// The wanted signals, in the caller's order.
@@ -56,19 +67,24 @@ pub struct Plan {
     pub restarts_with_spans: bool,
 }
 
-/// Makes the plan for `watched`, with batches of `batch` clocks.
+/// Makes the plan for `watched` and stimuli of one frame or of `several_frames`.
 pub fn plan(
     design: &Design,
     watched: &[NodeId],
-    batch: usize,
-    instruction_set: InstructionSet,
+    several_frames: bool,
+    Settings { batch, instruction_set, .. }: Settings,
 ) -> Plan {
     let mut flow = Flow::of(design);
     let (roots, in_component) = without_hidden_feedback(design, &mut flow, watched);
-    let fusion = fuse(design, &mut flow, &roots, watched, &|id| in_component.contains(&id));
+    let mut overflowing = idle::overflowing(design);
+    if several_frames {
+        overflowing.extend(idle::overflowing_between_frames(design));
+    }
+    let alone = |id| in_component.contains(&id);
+    let fusion = fuse(design, &mut flow, (&roots, watched), &alone, overflowing);
     // What has been fused into another is no root any more.
     let order = groups(design, &flow, &needed(design, &flow, watched));
-    let skews = skews(design, &flow, &order);
+    let skews = skews(design, &flow, &order, several_frames);
     let mut planner = Planner {
         design,
         flow: &flow,
@@ -96,7 +112,7 @@ pub fn plan(
         .places
         .iter()
         .filter(|(id, _)| design.node(**id).op == Op::Input)
-        .map(|(&id, &place)| (id, place))
+        .map(|(&id, &place)| (id, InputPlace { place, ahead: skews[&id] }))
         .collect();
     let reach = planner.reach(&order, watched_nodes);
     let restarts_with_spans = planner.restarts_with_spans(&order);

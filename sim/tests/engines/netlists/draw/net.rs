@@ -37,6 +37,7 @@ pub fn node(number: usize, op: Op, register: Register, range: Range, scope: Scop
         range,
         fraction_bits: 0,
         stage: 0,
+        still: false,
         scope,
         name: format!("n{number}"),
         named: true,

@@ -1,0 +1,87 @@
+//! The resources that a core takes, as far as they can be known without FPGA tools, and what they
+//! are worth together.
+use serde::Serialize;
+use specula_datapath::Design;
+
+/// Widths of the signed operands of a multiplier block where no device is named, the wider one
+/// first: 18 x 18 bits fit the blocks of most families.
+pub const GENERIC_BLOCK: [u32; 2] = [18, 18];
+
+/// The resources that a core takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Cost {
+    /// Sum of the products of operand widths over all multipliers of two variables; with a block,
+    /// over all blocks that they take, including unused bits.
+    pub multiplier_bits: u64,
+    /// Number of multiplier blocks, if their shape is known.
+    pub blocks: Option<u64>,
+    /// Bits of adders.
+    pub adder_bits: u64,
+    /// Bits of registers.
+    pub register_bits: u64,
+    /// Bits of read-only memory.
+    pub table_bits: u64,
+}
+
+impl Cost {
+    /// The resources that `design` takes where multiplier blocks have operands of these widths, the
+    /// wider one first, if blocks are to be counted.
+    pub fn of(design: &Design, block: Option<[u32; 2]>) -> Cost {
+        let size = design.size();
+        let blocks = block.map(|block| products(design).map(|p| blocks_for(block, p)).sum());
+        let of_blocks = |(blocks, [a, b]): (u64, [u32; 2])| blocks * u64::from(a) * u64::from(b);
+        Cost {
+            multiplier_bits: blocks.zip(block).map_or(size.multiplier_bits, of_blocks),
+            blocks,
+            adder_bits: size.adder_bits,
+            register_bits: size.register_bits,
+            table_bits: size.table_bits,
+        }
+    }
+
+    /// All resources as one number: a cell for each bit product, each bit of an adder, of a
+    /// register and of read-only memory.
+    pub fn cells(&self) -> u64 {
+        self.multiplier_bits + self.adder_bits + self.register_bits + self.table_bits
+    }
+}
+
+/// Number of blocks for a product of two signals, which is divided into parts that a block can
+/// multiply. Parts after the first have no sign, and therefore one bit less.
+fn blocks_for([long, short]: [u32; 2], [a, b]: [u32; 2]) -> u64 {
+    let parts =
+        |width: u32, port: u32| u64::from(width.saturating_sub(1).div_ceil(port - 1).max(1));
+    (parts(a, long) * parts(b, short)).min(parts(a, short) * parts(b, long))
+}
+
+/// Widths of the operands of every product of two variables; a sign bit is added to unsigned ones.
+fn products(design: &Design) -> impl Iterator<Item = [u32; 2]> {
+    let width = |id| {
+        let range = design.node(id).range;
+        range.width() + u32::from(!range.signed())
+    };
+    design.nodes.iter().filter_map(move |node| Some(design.factors(node)?.map(width)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn products_are_cut_into_what_blocks_multiply() {
+        for (widths, blocks) in [
+            ([18, 25], 1),
+            ([25, 18], 1),
+            ([1, 1], 1),
+            ([26, 18], 2),
+            ([25, 25], 2),
+            ([49, 35], 4),
+            ([50, 35], 6),
+        ] {
+            assert_eq!(blocks_for([25, 18], widths), blocks, "{widths:?}");
+        }
+        for (widths, blocks) in [([18, 18], 1), ([19, 18], 2), ([19, 19], 4), ([36, 18], 3)] {
+            assert_eq!(blocks_for(GENERIC_BLOCK, widths), blocks, "{widths:?}");
+        }
+    }
+}
