@@ -1,7 +1,7 @@
 //! What is said of a schedule. It serialises as the JSON that `schedule --json` prints.
 use serde::Serialize;
 use specula_datapath::Design;
-use specula_datapath::design::NodeId;
+use specula_datapath::design::{NodeId, Op};
 use specula_datapath::pass::ClockLimit;
 use specula_datapath::stages::{Carried, Computed, OperatorKind, Stage};
 use specula_spec::CoreSpec;
@@ -59,7 +59,7 @@ pub struct OperatorFacts {
     pub kind: &'static str,
     #[serde(skip)]
     pub sort: OperatorKind,
-    /// Bits of the result; of a product, of both factors.
+    /// Bits of the result; of a product, of both factors; of a comparison, of the wider operand.
     pub widths: Vec<u32>,
     /// Name of the signal, with its units.
     pub name: String,
@@ -178,11 +178,15 @@ impl Describing<'_> {
     }
 
     fn widths(&self, id: NodeId) -> Vec<u32> {
+        let node = self.design.node(id);
         let width = |id: NodeId| self.design.node(id).width();
         let block = self.design.multipliers.iter().find(|block| block.product == id);
-        let factors =
-            block.map(|block| block.factors).or(self.design.factors(self.design.node(id)));
-        factors.map_or(vec![width(id)], |factors| factors.map(width).to_vec())
+        let factors = block.map(|block| block.factors).or(self.design.factors(node));
+        match (factors, node.op) {
+            (Some(factors), _) => factors.map(width).to_vec(),
+            (None, Op::LessThan(a, b)) => vec![width(a).max(width(b))],
+            (None, _) => vec![node.width()],
+        }
     }
 
     /// A signal's name with its units, the core apart.

@@ -31,11 +31,11 @@ fn timed_rows(stages: &[StageFacts]) -> Vec<[String; 8]> {
         "clock",
         "path ns",
         "slack ns",
-        "longest path",
-        "other operators",
         "in blocks",
         "flip-flops",
         "in memories",
+        "longest path",
+        "other operators",
     ];
     let row = |stage: &StageFacts| {
         let path = stage.longest_path.as_ref();
@@ -45,16 +45,16 @@ fn timed_rows(stages: &[StageFacts]) -> Vec<[String; 8]> {
         let [blocks, flip_flops, memories] = carried(&stage.carried);
         let on_path = path.map_or(String::new(), way);
         let others = counted(&others(stage));
-        [number(stage.clock), ns, slack, on_path, others, blocks, flip_flops, memories]
+        [number(stage.clock), ns, slack, blocks, flip_flops, memories, on_path, others]
     };
     [titles.map(str::to_owned)].into_iter().chain(stages.iter().map(row)).collect()
 }
 
 fn rows(stages: &[StageFacts]) -> Vec<[String; 5]> {
-    let titles = ["clock", "operators", "in blocks", "flip-flops", "in memories"];
+    let titles = ["clock", "in blocks", "flip-flops", "in memories", "operators"];
     let row = |stage: &StageFacts| {
         let [blocks, flip_flops, memories] = carried(&stage.carried);
-        [number(stage.clock), largest(stage), blocks, flip_flops, memories]
+        [number(stage.clock), blocks, flip_flops, memories, largest(stage)]
     };
     [titles.map(str::to_owned)].into_iter().chain(stages.iter().map(row)).collect()
 }
@@ -80,11 +80,11 @@ fn way(path: &PathFacts) -> String {
     let operators = &path.operators;
     let more = operators.len().saturating_sub(SHOWN);
     let before = if more > 0 { format!(", {more} more") } else { String::new() };
-    let shown: Vec<String> = operators[more..].iter().map(operator).collect();
+    let shown = listed(unit(&path.from), &operators[more..].iter().collect::<Vec<_>>());
     let to = path.signals.last().map_or("", String::as_str);
     match shown.is_empty() {
         true => format!("{} to {to}", path.from),
-        false => format!("{}{before}: {}", path.from, shown.join(", ")),
+        false => format!("{}{before}: {shown}", path.from),
     }
 }
 
@@ -104,10 +104,10 @@ fn largest(stage: &StageFacts) -> String {
     let mut operators: Vec<&OperatorFacts> = stage.operators.iter().collect();
     operators.sort_by_key(|operator| (operator.sort, std::cmp::Reverse(operator.widths.clone())));
     let (shown, rest) = operators.split_at(operators.len().min(SHOWN));
-    let shown: Vec<String> = shown.iter().map(|shown| operator(shown)).collect();
+    let shown = listed("", shown);
     match rest.is_empty() {
-        true => shown.join(", "),
-        false => format!("{}; {} more", shown.join(", "), counted(rest)),
+        true => shown,
+        false => format!("{shown}; {} more", counted(rest)),
     }
 }
 
@@ -122,12 +122,30 @@ fn counted(operators: &[&OperatorFacts]) -> String {
     counts.iter().map(words).collect::<Vec<_>>().join(", ")
 }
 
-fn operator(operator: &OperatorFacts) -> String {
+/// Operators in a row, the units of their names where they are others than those before.
+fn listed(before: &str, operators: &[&OperatorFacts]) -> String {
+    let mut before = before;
+    let words = operators.iter().map(|of| {
+        let own = unit(&of.name);
+        let name = if own == before { &of.name[own.len()..] } else { &of.name };
+        before = own;
+        called(of, name)
+    });
+    words.collect::<Vec<_>>().join(", ")
+}
+
+/// The units of a signal's name.
+fn unit(name: &str) -> &str {
+    name.rsplit_once('.').map_or("", |(unit, _)| unit)
+}
+
+/// An operator under a name: its kind, its width, the clock in its block.
+fn called(operator: &OperatorFacts, name: &str) -> String {
     let widths: Vec<String> = operator.widths.iter().map(u32::to_string).collect();
     let block = operator.block_clock.map_or(String::new(), |[clock, clocks]| {
         format!(" (clock {clock} of {clocks} in its block)")
     });
-    format!("{} {} {}{block}", operator.kind, widths.join("x"), operator.name)
+    format!("{} {} {name}{block}", operator.kind, widths.join("x"))
 }
 
 /// A clock with all that is in it.
@@ -142,7 +160,7 @@ fn paragraph(stage: &StageFacts) -> String {
         let _ = writeln!(text, "  {:.2} ns, slack {:.2} ns", path.ns, path.slack_ns);
         path.signals.iter().for_each(|signal| text.push_str(&format!("    {signal}\n")));
     }
-    stage.operators.iter().for_each(|of| text.push_str(&format!("  {}\n", operator(of))));
+    stage.operators.iter().for_each(|of| text.push_str(&format!("  {}\n", called(of, &of.name))));
     text + "\n"
 }
 
