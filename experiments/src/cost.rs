@@ -2,6 +2,8 @@
 //! are worth together.
 use serde::Serialize;
 use specula_datapath::Design;
+use specula_datapath::design::Size;
+use specula_datapath::verilog::Counted;
 
 /// Widths of the signed operands of a multiplier block where no device is named, the wider one
 /// first: 18 x 18 bits fit the blocks of most families.
@@ -30,11 +32,26 @@ impl Cost {
         let size = design.size();
         let blocks = block.map(|block| products(design).map(|p| blocks_for(block, p)).sum());
         let of_blocks = |(blocks, [a, b]): (u64, [u32; 2])| blocks * u64::from(a) * u64::from(b);
+        if !design.multipliers.is_empty() {
+            return Cost::of_lowered(design, &size);
+        }
         Cost {
             multiplier_bits: blocks.zip(block).map_or(size.multiplier_bits, of_blocks),
             blocks,
             adder_bits: size.adder_bits,
             register_bits: size.register_bits,
+            table_bits: size.table_bits,
+        }
+    }
+
+    /// That of a design whose products stand in the blocks of its target already.
+    fn of_lowered(design: &Design, size: &Size) -> Cost {
+        let counted = Counted::of(&design.to_block());
+        Cost {
+            multiplier_bits: size.multiplier_bits,
+            blocks: Some(design.multipliers.len() as u64),
+            adder_bits: size.adder_bits,
+            register_bits: counted.flip_flops,
             table_bits: size.table_bits,
         }
     }

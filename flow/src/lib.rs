@@ -1,3 +1,4 @@
-//! What stands around a core on its way into a device. So far that is synthesis with
-//! place-and-route: what a core takes of a device, and the clock that it reaches there.
+//! What stands around a core on its way into a device: synthesis with place-and-route, and the
+//! program that measures the delays of a target's table with it.
+pub mod measure;
 pub mod synth;

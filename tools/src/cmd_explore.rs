@@ -57,7 +57,7 @@ pub struct Arguments {
 struct Report<'a> {
     scene: &'a str,
     max_error: f64,
-    device: Option<Device>,
+    device: Option<&'a Device>,
     #[serde(flatten)]
     exploration: &'a Exploration,
 }
@@ -70,8 +70,8 @@ pub fn execute(
 ) -> Result<Verdict, ToolError> {
     let scene = arguments.scene.load()?;
     let methods = selected_methods(&arguments.methods);
-    let wanted =
-        Wanted { most: arguments.max_error, methods: &methods, device: arguments.device.device };
+    let device = arguments.device.device.as_ref();
+    let wanted = Wanted { most: arguments.max_error, methods: &methods, device: device.cloned() };
     let bar = progress::count("cores tried");
     let exploration = explore(&scene.frame, &wanted, &|| bar.inc(1));
     bar.finish_and_clear();
@@ -88,8 +88,7 @@ pub fn execute(
         .unwrap_or_else(|| Path::new("out").join(format!("{}-explored", scene.name)));
     let written = write_core(&folder, &[(SpecFile::NAME.to_owned(), file.text())], interrupts)?;
     let text = if arguments.json {
-        let (scene, max_error, device) =
-            (scene.name.as_str(), arguments.max_error, arguments.device.device);
+        let (scene, max_error) = (scene.name.as_str(), arguments.max_error);
         let report = Report { scene, max_error, device, exploration: &exploration };
         serde_json::to_string_pretty(&report).map_err(ToolError::Json)? + "\n"
     } else {

@@ -17,15 +17,15 @@ pub struct DeviceArguments {
 }
 
 fn device_parser() -> impl TypedValueParser<Value = Device> {
-    PossibleValuesParser::new(Device::ALL.map(|device| device.name)).try_map(|name| {
-        Device::ALL.into_iter().find(|device| device.name == name).ok_or("there is no such device")
+    PossibleValuesParser::new(Device::all().map(|device| device.name)).try_map(|name| {
+        Device::all().find(|device| device.name == name).ok_or("there is no such device")
     })
 }
 
 impl DeviceArguments {
     /// Widths of the signed operands of the device's multiplier blocks, if the user named one.
     pub fn block(&self) -> Option<[u32; 2]> {
-        self.device.map(|device| device.block)
+        self.device.as_ref().and_then(|device| device.block)
     }
 
     /// The share of the device that the core takes, if the user named a device.
@@ -33,14 +33,16 @@ impl DeviceArguments {
     /// # Errors
     /// [`DoesNotFit`] if the core takes more than the device has.
     pub fn fitted(&self, design: &Design) -> Result<Option<Fitted>, DoesNotFit> {
-        let Some(device) = self.device else { return Ok(None) };
-        let fitted = Fitted { device, cost: Cost::of(design, Some(device.block)) };
-        if fitted.cost.fits(&device) { Ok(Some(fitted)) } else { Err(does_not_fit(fitted, design)) }
+        let Some(device) = self.device.clone() else { return Ok(None) };
+        let cost = Cost::of(design, device.block);
+        let fits = cost.fits(&device);
+        let fitted = Fitted { device, cost };
+        if fits { Ok(Some(fitted)) } else { Err(does_not_fit(&fitted, design)) }
     }
 }
 
 /// A device and the share of it that a core takes.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize)]
 pub struct Fitted {
     device: Device,
     cost: Cost,
@@ -59,11 +61,11 @@ impl Fitted {
 }
 
 /// The error, which names the first known device that has enough for the core.
-fn does_not_fit(fitted: Fitted, design: &Design) -> DoesNotFit {
-    let fits = |device: &&Device| Cost::of(design, Some(device.block)).fits(device);
-    let larger = match Device::ALL.iter().find(fits) {
+fn does_not_fit(fitted: &Fitted, design: &Design) -> DoesNotFit {
+    let fits = |device: &Device| Cost::of(design, device.block).fits(device);
+    let larger = match Device::all().find(fits) {
         Some(device) => format!("`{}` has enough", device.name),
         None => "no device that is known here has enough".to_owned(),
     };
-    DoesNotFit { device: fitted.device.name, taken: fitted.in_words(), larger }
+    DoesNotFit { device: fitted.device.name.clone(), taken: fitted.in_words(), larger }
 }

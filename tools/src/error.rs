@@ -189,7 +189,7 @@ pub struct NothingExplored {
 )]
 pub struct DoesNotFit {
     /// Name of the device.
-    pub device: &'static str,
+    pub device: String,
     /// The device, with the resources that the core takes and those that it has.
     pub taken: String,
     /// The name of a larger device that has enough, if one is known.

@@ -54,6 +54,7 @@ impl Origin {
         let formats = core.formats_in_words();
         let device = device
             .device
+            .as_ref()
             .filter(|_| core.bound.is_some())
             .map(|device| format!(" --device {}", device.name))
             .unwrap_or_default();

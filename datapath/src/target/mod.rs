@@ -3,8 +3,10 @@
 //! The tables stand in `datapath/targets`; `docs/targets.md` says how they are measured. All delays
 //! are nanoseconds.
 mod delay;
+mod device;
 
 pub use delay::Shape;
+pub use device::Device;
 use serde::Deserialize;
 
 use crate::design::Primitives;
@@ -23,9 +25,14 @@ pub struct Target {
     pub fabric: Option<Fabric>,
     /// Its multiplier blocks, if it has any.
     pub multiplier: Option<Multiplier>,
+    /// Its block RAM, if it has any.
+    pub table: Option<BlockRam>,
     /// What delays of several clocks are made of.
     #[serde(default)]
     pub delay_line: DelayLines,
+    /// Its devices, the smallest first.
+    #[serde(default, rename = "device")]
+    pub devices: Vec<Device>,
 }
 
 /// Delays of look-up tables, flip-flops, carry chains and nets.
@@ -72,6 +79,20 @@ pub enum Cells {
     Ice40up,
 }
 
+/// A block RAM.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BlockRam {
+    /// Its bits.
+    pub bits: u32,
+    /// The longest word, in bits.
+    pub widest: u32,
+    /// The ways in which its own registers can be used, fewest first: 1 clock with that of the
+    /// address alone, 2 with that of the word too.
+    #[serde(default)]
+    pub pipeline: Vec<BlockPipeline>,
+}
+
 /// Registers of a block that are used.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -91,15 +112,31 @@ pub struct BlockPipeline {
 pub struct DelayLines {
     /// Clocks of the shortest delay that is a memory in look-up tables; without, it is flip-flops.
     pub shortest: Option<u32>,
+    /// From flip-flop to flip-flop through such a memory, nets included.
+    pub read: Option<f64>,
 }
 
 /// The tables, by the names of their targets.
-const TABLES: [(&str, &str); 2] = [
+const TABLES: [(&str, &str); 6] = [
     ("generic", include_str!("../../targets/generic.toml")),
     ("ecp5", include_str!("../../targets/ecp5.toml")),
+    ("ice40hx", include_str!("../../targets/ice40hx.toml")),
+    ("ice40up", include_str!("../../targets/ice40up.toml")),
+    ("gowin", include_str!("../../targets/gowin.toml")),
+    ("xilinx7", include_str!("../../targets/xilinx7.toml")),
 ];
 
 impl Target {
+    /// All families that have a table.
+    pub fn families() -> impl Iterator<Item = Target> {
+        TABLES.into_iter().map(|(_, table)| Target::read(table))
+    }
+
+    fn read(table: &str) -> Target {
+        // The tables are part of the program, and a test reads each.
+        toml::from_str(table).expect("a table of the program's own")
+    }
+
     /// Names of all targets.
     pub fn names() -> impl Iterator<Item = &'static str> {
         TABLES.into_iter().map(|(name, _)| name)
@@ -123,19 +160,48 @@ impl Target {
     /// The target of this name, if there is one.
     pub fn named(name: &str) -> Option<Target> {
         let (_, table) = TABLES.into_iter().find(|(target, _)| *target == name)?;
-        // The tables are part of the program, and a test reads each.
-        Some(toml::from_str(table).expect("a table of the program's own"))
+        Some(Target::read(table))
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::*;
 
     #[test]
     fn every_table_can_be_read_and_has_its_own_name() {
         for name in Target::names() {
             assert_eq!(Target::named(name).map(|target| target.name).as_deref(), Some(name));
+        }
+        let names: BTreeSet<String> = Target::families().map(|target| target.name).collect();
+        assert_eq!(names.len(), Target::families().count());
+    }
+
+    #[test]
+    fn delays_are_not_negative_and_more_takes_longer() {
+        for target in Target::families() {
+            let name = &target.name;
+            let Some(fabric) = &target.fabric else { continue };
+            let Fabric { register, lut, net, carry, carry_bit } = *fabric;
+            assert!([register, lut, net, carry_bit].into_iter().all(|ns| ns > 0.0), "{name}");
+            assert!(carry >= 0.0, "{name}");
+            assert!(target.delay_line.read.is_none_or(|ns| ns > register), "{name}");
+            let (blocks, memories) = (&target.multiplier, &target.table);
+            let blocks = blocks.iter().map(|block| &block.pipeline);
+            for ways in blocks.chain(memories.iter().map(|memory| &memory.pipeline)) {
+                let period = |way: &BlockPipeline| match way.clocks {
+                    0 => register + net + way.into + way.out,
+                    _ => (register + net + way.into).max(way.out),
+                };
+                assert!(!ways.is_empty(), "{name}");
+                assert!(ways.iter().all(|way| way.into >= 0.0 && way.out >= 0.0), "{name}");
+                let rises = |pair: &[BlockPipeline]| {
+                    pair[0].clocks < pair[1].clocks && period(&pair[0]) >= period(&pair[1])
+                };
+                assert!(ways.windows(2).all(rises), "{name}: more registers, and no faster");
+            }
         }
     }
 }

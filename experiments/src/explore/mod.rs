@@ -92,7 +92,7 @@ pub fn explore(
     let tried: Vec<Explored> = searched.into_iter().flat_map(|searched| searched.tried).collect();
     let number = tried.len();
     let front = measured(front(tried), frame)?;
-    let fits = |core: &Explored| wanted.device.is_none_or(|device| core.cost.fits(&device));
+    let fits = |core: &Explored| wanted.device.as_ref().is_none_or(|device| core.cost.fits(device));
     let best = front.iter().position(|core| core.error <= wanted.most && fits(core));
     Ok(Exploration { front, best, tried: number, refused })
 }
@@ -248,7 +248,8 @@ impl Tries<'_> {
         let Ok(design) = specula_hdl::elaborate(&spec, "core") else {
             return Ok(Tried { error: f64::INFINITY, cells: u64::MAX });
         };
-        let cost = Cost::of(&design, wanted.device.map(|device| device.block));
+        let block = wanted.device.as_ref().and_then(|device| device.block);
+        let cost = Cost::of(&design, block);
         let error = sample.largest_error(&spec)?;
         let (cycles, bound) = (FrameCycles::new(&design, frame), design.error_bound());
         let bound = bound.is_finite().then_some(bound);

@@ -9,10 +9,10 @@ mod cells;
 mod harness;
 mod models;
 mod netlist;
-mod path;
-mod place;
+pub(crate) mod path;
+pub(crate) mod place;
 mod target;
-mod yosys;
+pub(crate) mod yosys;
 
 use rayon::prelude::*;
 use serde::Serialize;

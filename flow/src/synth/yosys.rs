@@ -39,16 +39,13 @@ pub fn run(
     design: &Design,
     target: &SynthTarget,
 ) -> Result<(Cells, Netlist), SynthError> {
-    let write = |name: &str, text: &str| {
-        std::fs::write(directory.join(name), text)
-            .map_err(SimError::file(format!("write {name} for Yosys")))
-    };
     let read = |name: &str| {
         std::fs::read_to_string(directory.join(name))
             .map_err(SimError::file(format!("read {name} from Yosys")))
     };
-    write("core.v", &verilog::print(&design.to_block(), &Header::default()))?;
-    write("harness.v", &harness::text(design))?;
+    let core = verilog::print(&design.to_block(), &Header::default());
+    write(directory, "core.v", &core)?;
+    write(directory, "harness.v", &harness::text(design))?;
     let module = &design.scope(ScopeId::TOP).instance;
     yosys.run_with_warnings(
         directory,
@@ -56,6 +53,32 @@ pub fn run(
     )?;
     let cells = Cells::listed(&read(COUNTS)?, target);
     Ok((cells, Netlist::written(read(VERILOG)?, yosys, target)))
+}
+
+/// Synthesises a circuit whose module is `module` in `directory`, where the netlist for nextpnr
+/// stands afterwards, with the pins if nextpnr must be told them.
+pub fn run_circuit(
+    yosys: &Tool,
+    directory: &Path,
+    (module, circuit): (&str, &str),
+    target: &SynthTarget,
+) -> Result<(), SynthError> {
+    write(directory, "circuit.v", circuit)?;
+    if let Some([name, pins]) = target.pins {
+        write(directory, name, pins)?;
+    }
+    let script = [
+        "read_verilog circuit.v".to_owned(),
+        format!("{} -top {module}", target.synthesis),
+        format!("write_json {NETLIST}"),
+    ];
+    Ok(yosys
+        .run_with_warnings(directory, &["-q".to_owned(), "-p".to_owned(), script.join("; ")])?)
+}
+
+fn write(directory: &Path, name: &str, text: &str) -> Result<(), SimError> {
+    std::fs::write(directory.join(name), text)
+        .map_err(SimError::file(format!("write {name} for Yosys")))
 }
 
 /// The core stays a module of its own until its cells are counted, so that nothing of the harness

@@ -170,7 +170,7 @@ impl<'a> Report<'a> {
             clock_mhz: run.clock.mhz,
             frames_per_second: run.frames_per_second(),
             made_for: MadeFor::of(bench.spec, &bench.design).map(|made_for| made_for.prediction()),
-            fitted: run.fitted,
+            fitted: run.fitted.clone(),
             begin,
             simulation_seconds: outcome.simulation_seconds,
             error: &comparison.errors,

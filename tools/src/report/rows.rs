@@ -17,7 +17,7 @@ pub fn speed(report: &Report) -> [[String; 2]; 4] {
 
 /// The device and the share of it that the core takes, if the user named a device.
 pub fn device(report: &Report) -> Option<[String; 2]> {
-    report.fitted.map(|fitted| ["device".to_owned(), fitted.in_words()])
+    report.fitted.as_ref().map(|fitted| ["device".to_owned(), fitted.in_words()])
 }
 
 /// The target and the clock that the core was made for, and the predicted clock, if it has any.

@@ -252,7 +252,7 @@ fn a_core_must_fit_its_device() {
         "of 8 multiplier blocks",
         "of 5280",
         "specula explore",
-        "`ecp5-25` has enough",
+        "`ecp5-12` has enough",
     ] {
         assert!(refused.stderr.contains(part), "{part}: {}", refused.stderr);
     }
