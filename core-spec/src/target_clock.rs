@@ -1,5 +1,6 @@
 //! The clock that a core is made for.
-use serde::{Deserialize, Serialize};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize};
 use specula_datapath::target::Target;
 
 use crate::error::{SpecError, within};
@@ -9,6 +10,7 @@ use crate::error::{SpecError, within};
 #[serde(deny_unknown_fields)]
 pub struct TargetClock {
     /// The name of a target whose delays are known.
+    #[serde(deserialize_with = "known_name")]
     pub name: String,
     /// The clock in MHz, 1 to 1000.
     pub clock_mhz: f64,
@@ -30,5 +32,15 @@ impl TargetClock {
     pub(crate) fn check(&self) -> Result<(), SpecError> {
         self.target()?;
         within("clock_mhz", self.clock_mhz, 1.0, 1000.0)
+    }
+}
+
+/// The name of a target with known delays; an error where it is read says which there are.
+fn known_name<'de, D: Deserializer<'de>>(deserializer: D) -> Result<String, D::Error> {
+    let name = String::deserialize(deserializer)?;
+    let clock = TargetClock { name, clock_mhz: 1.0 };
+    match clock.target() {
+        Ok(_) => Ok(clock.name),
+        Err(error) => Err(D::Error::custom(format!("{error}: {}", error.help_text()))),
     }
 }

@@ -1,6 +1,6 @@
 //! Cores as files, and cores for scenes that they were not made for.
 use specula_scene::{Frame, SceneError, builtin_names, load, parse};
-use specula_spec::{CoreSpec, Method, SceneCore, SpecError, SpecFile};
+use specula_spec::{CoreSpec, Method, SceneCore, SpecError, SpecFile, TargetClock};
 
 const SIZE: Option<(u32, u32)> = Some((48, 36));
 
@@ -69,6 +69,27 @@ fn what_is_no_core_is_refused_where_it_is_wrong() {
             .contains("unknown key `colour`")
     );
     assert!(matches!(SpecFile::read("nowhere.toml".as_ref()), Err(SceneError::Unreadable { .. })));
+}
+
+#[test]
+fn a_target_and_its_clock_are_read_or_refused_where_they_are_wrong() {
+    let target = Some(TargetClock { name: "ecp5".to_owned(), clock_mhz: 187.5 });
+    let spec = CoreSpec { target, ..core("teapot", Some(Method::Lyon)) };
+    let file = SpecFile { name: "teapot".to_owned(), spec };
+    let text = file.text();
+    assert_eq!(SpecFile::parse("spec.toml", text.clone()).unwrap(), file);
+    let changed = |from: &str, to: &str| {
+        assert!(text.contains(from), "{text}");
+        refusal(&text.replacen(from, to, 1))
+    };
+    let (problem, place) = changed("\"ecp5\"", "\"ecp6\"");
+    assert_eq!(place, "\"ecp6\"");
+    assert!(problem.contains("there is no target `ecp6` with a clock"), "{problem}");
+    assert!(problem.contains("there are") && problem.contains("ecp5"), "{problem}");
+    // A target whose delays are not known cannot be asked for a clock.
+    assert_eq!(changed("\"ecp5\"", "\"generic\"").1, "\"generic\"");
+    assert!(changed("187.5", "0.5").0.contains("`clock_mhz` is 0.5"));
+    assert!(changed("clock_mhz", "mhz").0.contains("mhz"));
 }
 
 #[test]

@@ -2,14 +2,19 @@
 use crate::design::{Design, Node, NodeId, Op};
 use crate::target::{Fabric, Shape, Target};
 
-/// The slowest path of a design between registers.
+/// The paths of a design between registers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Timing {
-    /// Nanoseconds from clock to clock.
+    /// Nanoseconds from clock to clock: those of the slowest path.
     pub period: f64,
-    /// The signals on the way, from the register where it begins; the last is a register too, or
-    /// leaves the design.
+    /// The signals on the slowest path, from the register where it begins; the last is a register
+    /// too, or leaves the design.
     pub path: Vec<NodeId>,
+    /// Nanoseconds after the clock at which each signal is there; of a register, at which what it
+    /// takes over is. 0 of constants, of inputs, and inside multiplier blocks.
+    pub arrivals: Vec<f64>,
+    /// The operand of each signal that comes last.
+    last_operands: Vec<Option<NodeId>>,
 }
 
 impl Timing {
@@ -17,6 +22,18 @@ impl Timing {
     pub fn of(design: &Design, target: &Target) -> Option<Timing> {
         let fabric = target.fabric.as_ref()?;
         Some(Analysis::new(design, target, fabric).slowest())
+    }
+
+    /// Nanoseconds after the clock at which a signal is there; of a register, at which what it takes
+    /// over is.
+    pub fn arrival(&self, id: NodeId) -> f64 {
+        self.arrivals[id.0 as usize]
+    }
+
+    /// The signals on the slowest path to a signal of the design, from the register or input where
+    /// it begins.
+    pub fn path_to(&self, design: &Design, end: NodeId) -> Vec<NodeId> {
+        path(design, &self.last_operands, end)
     }
 
     /// The clock in MHz.
@@ -76,6 +93,7 @@ impl<'a> Analysis<'a> {
             (self.arrivals[id.0 as usize], self.before[id.0 as usize]) = (arrival, last);
         }
         let mut slowest = (self.fabric.register, None);
+        let mut arrivals = self.arrivals.clone();
         for &id in &self.design.outputs {
             if self.arrival(id) > slowest.0 {
                 slowest = (self.arrival(id), Some(id));
@@ -83,12 +101,15 @@ impl<'a> Analysis<'a> {
         }
         for id in self.computed(Node::registered) {
             let (arrival, last) = self.through(id, self.design.node(id));
+            arrivals[id.0 as usize] = arrival;
             self.before[id.0 as usize] = last;
             if arrival > slowest.0 {
                 slowest = (arrival, Some(id));
             }
         }
-        Timing { period: slowest.0, path: self.path(slowest.1) }
+        let last_operands = self.before;
+        let path = slowest.1.map(|end| path(self.design, &last_operands, end));
+        Timing { period: slowest.0, path: path.unwrap_or_default(), arrivals, last_operands }
     }
 
     /// From the clock to what a register gives.
@@ -168,18 +189,21 @@ impl<'a> Analysis<'a> {
         let all = self.design.iter().filter(|(_, node)| computed(node) && wanted(node));
         all.map(|(id, _)| id).collect()
     }
+}
 
-    fn path(&self, last: Option<NodeId>) -> Vec<NodeId> {
-        let mut path: Vec<NodeId> = last.into_iter().collect();
-        let mut at = last.and_then(|last| self.before[last.0 as usize]);
-        while let Some(id) = at {
-            path.push(id);
-            let node = self.design.node(id);
-            at = if starts_path(node) { None } else { self.before[id.0 as usize] };
-        }
-        path.reverse();
-        path
+/// The signals from where a path begins to its end, by the operand of each that comes last.
+fn path(design: &Design, last_operands: &[Option<NodeId>], end: NodeId) -> Vec<NodeId> {
+    let mut path = vec![end];
+    let mut at = last_operands[end.0 as usize];
+    while let Some(id) = at {
+        path.push(id);
+        at = match starts_path(design.node(id)) {
+            true => None,
+            false => last_operands[id.0 as usize],
+        };
     }
+    path.reverse();
+    path
 }
 
 fn starts_path(node: &Node) -> bool {

@@ -116,7 +116,7 @@ pub struct TargetArguments {
     pub target: Option<String>,
     /// Clock in MHz that the core is pipelined for, from 1 to 1000, or max for the highest that
     /// its loops allow [default: max]
-    #[arg(long, value_name = "MHZ", value_parser = parse_clock, requires = "target")]
+    #[arg(long, value_name = "MHZ", value_parser = parse_clock, requires_if("max", "target"))]
     pub clock: Option<Clock>,
 }
 
@@ -134,6 +134,14 @@ impl TargetArguments {
     fn block(&self) -> Option<[u32; 2]> {
         let target = Target::named(self.target.as_ref()?)?;
         target.multiplier.map(|multiplier| multiplier.widths)
+    }
+
+    /// The clock in MHz that is given where no target is.
+    pub fn given_for_any_device(&self) -> Option<f64> {
+        match (&self.target, self.clock) {
+            (None, Some(Clock::Mhz(mhz))) => Some(mhz),
+            _ => None,
+        }
     }
 
     /// A core made for what is asked for; unchanged where nothing is.

@@ -8,7 +8,7 @@ use crate::output::Interrupts;
 use crate::verdict::Verdict;
 use crate::{
     cmd_bench, cmd_compare, cmd_explore, cmd_generate, cmd_methods, cmd_needs, cmd_reproduce,
-    cmd_run, cmd_scenes, cmd_stress, cmd_synth, cmd_wave,
+    cmd_run, cmd_scenes, cmd_schedule, cmd_stress, cmd_synth, cmd_wave,
 };
 
 const EXAMPLES: &str = "\
@@ -35,6 +35,8 @@ pub enum Command {
     Run(cmd_run::Arguments),
     /// Write the Verilog of the core for a scene, without simulating it
     Generate(cmd_generate::Arguments),
+    /// Show a core clock by clock: operators, the longest path, register bits
+    Schedule(cmd_schedule::Arguments),
     /// Synthesise, place and route the core for a scene: cells, and the clock that it reaches
     Synth(cmd_synth::Arguments),
     /// Draw a window of a waveform as text or as a picture
@@ -69,6 +71,7 @@ impl Command {
         match self {
             Command::Run(arguments) => cmd_run::execute(arguments, stdout, interrupts),
             Command::Generate(arguments) => cmd_generate::execute(arguments, stdout, interrupts),
+            Command::Schedule(arguments) => cmd_schedule::execute(arguments, stdout, interrupts),
             Command::Synth(arguments) => cmd_synth::execute(arguments, stdout),
             Command::Wave(arguments) => cmd_wave::execute(arguments, stdout, interrupts),
             Command::Bench(arguments) => cmd_bench::execute(arguments, stdout),

@@ -1,5 +1,5 @@
-//! The clock at which cores are assumed to run. No tool has placed and routed them, so nothing is
-//! known about the clock that they reach.
+//! The clock at which cores are counted to run: assumed, given, or predicted by a target's delays. No
+//! tool has placed and routed them, so nothing is proven about the clock that they reach.
 use clap::Args;
 use specula_experiments::tradeoff::FrameCycles;
 
@@ -15,7 +15,7 @@ pub struct ClockArguments {
 impl ClockArguments {
     /// The clock that the user gives, or the assumed one.
     pub fn clock(&self) -> Clock {
-        self.mhz.map_or(Clock::ASSUMED, |mhz| Clock { mhz, assumed: false })
+        self.mhz.map_or(Clock::ASSUMED, Clock::given)
     }
 }
 
@@ -24,17 +24,42 @@ impl ClockArguments {
 pub struct Clock {
     /// The frequency in MHz.
     pub mhz: f64,
-    /// Whether it is assumed rather than given by the user.
-    pub assumed: bool,
+    /// Where it is from.
+    pub source: ClockSource,
+}
+
+/// Where a clock is from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ClockSource {
+    /// Nowhere: a usual one.
+    Assumed,
+    /// The user.
+    Given,
+    /// The delays of the target that the core was made for.
+    Predicted,
 }
 
 impl Clock {
     /// The clock that is assumed if none is given.
-    pub const ASSUMED: Clock = Clock { mhz: 100.0, assumed: true };
+    pub const ASSUMED: Clock = Clock { mhz: 100.0, source: ClockSource::Assumed };
+
+    /// A clock that the user gives.
+    pub fn given(mhz: f64) -> Clock {
+        Clock { mhz, source: ClockSource::Given }
+    }
+
+    /// A clock that delays predict.
+    pub fn predicted(mhz: f64) -> Clock {
+        Clock { mhz, source: ClockSource::Predicted }
+    }
 
     /// The clock as text.
     pub fn in_words(self) -> String {
-        format!("{} {} MHz", if self.assumed { "an assumed" } else { "a given" }, self.mhz)
+        match self.source {
+            ClockSource::Assumed => format!("an assumed {} MHz", self.mhz),
+            ClockSource::Given => format!("a given {} MHz", self.mhz),
+            ClockSource::Predicted => format!("a predicted {:.1} MHz", self.mhz),
+        }
     }
 
     /// The duration of that many clocks, in nanoseconds.

@@ -14,11 +14,12 @@ use specula_testbench::{Bench, EngineKind, Outcome};
 use crate::arguments::{
     CoreArguments, NameArguments, OutputArguments, SceneArguments, engine_parser, parse_choice,
 };
-use crate::clock::ClockArguments;
+use crate::clock::Clock;
 use crate::device::{DeviceArguments, Fitted};
 use crate::disagreement::Disagreement;
 use crate::error::ToolError;
 use crate::job::Job;
+use crate::made_for::MadeFor;
 use crate::output::{Destination, Interrupts, REPORT};
 use crate::report::{self, Report};
 use crate::run::{DEFAULT_ENGINE, Run, simulate};
@@ -57,8 +58,6 @@ pub struct Arguments {
     wanted: CoreArguments,
     #[command(flatten)]
     device: DeviceArguments,
-    #[command(flatten)]
-    clock: ClockArguments,
     /// Engine that simulates the core
     #[arg(long, default_value = DEFAULT_ENGINE.name(), value_parser = engine_parser())]
     engine: EngineKind,
@@ -104,6 +103,15 @@ impl Arguments {
             Some(core) => Job::with_core(&self.scene, core, &self.name),
         }
     }
+
+    /// The clock at which frames are counted: the one given for no target, else the predicted one
+    /// of a core that has a target.
+    fn clock(&self, bench: &Bench) -> Clock {
+        let given = self.wanted.made_for.given_for_any_device().map(Clock::given);
+        let made_for = || MadeFor::of(bench.spec, &bench.design);
+        let predicted = || made_for().map(|made_for| Clock::predicted(made_for.timing.mhz()));
+        given.or_else(predicted).unwrap_or(Clock::ASSUMED)
+    }
 }
 
 /// The results of a run, including what disagrees.
@@ -124,7 +132,7 @@ fn run_of<'a>(
         engine: arguments.engine,
         trace_format: arguments.trace_format,
         disagreement,
-        clock: arguments.clock.clock(),
+        clock: arguments.clock(bench),
         fitted,
         bound_shares: bound_shares(bench.spec, bench.frame, bench.design.error_bound()),
         savings: if is_general { None } else { ablation(&job.scene, bench.spec, None).ok() },

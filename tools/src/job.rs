@@ -81,6 +81,7 @@ fn made_before(path: &Path, name: &NameArguments) -> Result<(SpecFile, Origin), 
 
 /// The arguments that name a core for a scene, or one that was made before.
 #[derive(Clone, Debug, Args)]
+#[command(mut_arg("clock", |clock| clock.requires("target")))]
 pub struct SceneOrSpec {
     /// A built-in scene (see `specula scenes`), a scene file (.toml), or a mesh (.obj, .ply, .stl,
     /// .glb)

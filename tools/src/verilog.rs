@@ -5,10 +5,11 @@ use std::path::Path;
 use specula_datapath::Design;
 use specula_datapath::verilog::{self, Header};
 use specula_scene::builtin_names;
-use specula_spec::{CoreSpec, SpecFile};
+use specula_spec::{CoreSpec, SpecFile, TargetClock};
 
 use crate::arguments::{CoreArguments, NameArguments, SceneArguments};
 use crate::device::DeviceArguments;
+use crate::made_for::MadeFor;
 use crate::table;
 
 /// The Verilog of a core as text.
@@ -57,8 +58,13 @@ impl Origin {
             .filter(|_| core.bound.is_some())
             .map(|device| format!(" --device {}", device.name))
             .unwrap_or_default();
+        let target = spec.target.as_ref().map(|clock| {
+            let TargetClock { name, clock_mhz } = clock;
+            format!(" --target {name} --clock {clock_mhz}")
+        });
+        let target = target.unwrap_or_default();
         let command = format!(
-            "specula generate {}{size} --method {method}{specialise}{formats}{device}",
+            "specula generate {}{size} --method {method}{specialise}{formats}{device}{target}",
             quoted(&scene)
         );
         Origin { scene, command }
@@ -141,6 +147,9 @@ pub fn header(origin: &Origin, spec: &CoreSpec, design: &Design) -> Header {
         "Error bound: {} of the 8-bit output, against the same method in exact arithmetic.",
         bound(design.error_bound())
     ));
+    if let Some(made_for) = MadeFor::of(spec, design) {
+        lines.push(format!("Made for {}.", made_for.in_words()));
+    }
     let protocol = protocol(design);
     lines.extend(
         ["", &protocol, "", "Made by:"].iter().flat_map(|text| text.split('\n')).map(str::to_owned),

@@ -64,7 +64,7 @@ pub fn compile(graph: &Graph, pipelining: &Pipelining) -> Result<Design, LoopToo
 pub fn highest_clock(graph: &Graph, target: &Target) -> f64 {
     let allows = |mhz: f64| {
         let graph = lowered(graph, target, mhz);
-        schedule::longest(&graph, target, mhz) <= 1000.0 / mhz
+        schedule::longest(&graph, target, mhz).is_none_or(|path| path.delay <= 1000.0 / mhz)
     };
     let (mut low, mut high) = (1u32, 1000u32);
     while low < high {
@@ -75,4 +75,32 @@ pub fn highest_clock(graph: &Graph, target: &Target) -> f64 {
         }
     }
     f64::from(low)
+}
+
+/// What keeps the clock of a graph from being higher than so many MHz.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ClockLimit {
+    /// Full name of the value at which the path begins.
+    pub from: String,
+    /// Full name of the value at which it ends; the same where a single operator limits the clock.
+    pub to: String,
+    /// Whether the path is part of a loop.
+    pub in_loop: bool,
+    /// Nanoseconds from register to register.
+    pub delay: f64,
+}
+
+/// The path that does not meet a clock 1 MHz above `mhz`, whatever the schedule; none if there is
+/// no such path.
+pub fn clock_limit(graph: &Graph, target: &Target, mhz: f64) -> Option<ClockLimit> {
+    let above = mhz + 1.0;
+    let graph = lowered(graph, target, above);
+    let path = schedule::longest(&graph, target, above)?;
+    let name = |id| {
+        let value = graph.value(id);
+        format!("{}.{}", graph.path(value.scope).join("."), value.name)
+    };
+    let (from, to) = (name(path.from), name(path.to));
+    let (in_loop, delay) = (path.in_loop, path.delay);
+    (delay > 1000.0 / above).then_some(ClockLimit { from, to, in_loop, delay })
 }

@@ -50,6 +50,11 @@ impl DelayLine {
         self.stages.last().copied().unwrap_or(self.input)
     }
 
+    /// Whether it is a memory.
+    pub fn is_memory(&self, long: LongDelays) -> bool {
+        self.storage(long) == Storage::Memory
+    }
+
     /// What it is made of.
     pub fn storage(&self, long: LongDelays) -> Storage {
         match long {

@@ -17,7 +17,7 @@ use specula_spec::{CoreSpec, MethodSpec};
 use specula_datapath::builder::{BuildError, Builder};
 use specula_datapath::design::Design;
 use specula_datapath::graph::Graph;
-use specula_datapath::pass::{Pipelining, compile};
+use specula_datapath::pass::{ClockLimit, Pipelining, compile};
 
 /// The core that a spec asks for, elaborated under the module name `name`.
 ///
@@ -46,6 +46,23 @@ pub fn highest_clock(spec: &CoreSpec) -> Result<f64, BuildError> {
     let target = clock.target().ok();
     Ok(target
         .map_or(clock.clock_mhz, |target| specula_datapath::pass::highest_clock(&graph, &target)))
+}
+
+/// The highest clock, in MHz, that the target of a spec allows its core, and what limits it; none
+/// where the spec has no target.
+///
+/// # Errors
+/// As [`elaborate`].
+pub fn clock_limit(
+    spec: &CoreSpec,
+    name: &str,
+) -> Result<Option<(f64, Option<ClockLimit>)>, BuildError> {
+    let Some(target) = spec.target.as_ref().and_then(|clock| clock.target().ok()) else {
+        return Ok(None);
+    };
+    let graph = graph(spec, |formula| Builder::new(name, formula))?;
+    let mhz = specula_datapath::pass::highest_clock(&graph, &target);
+    Ok(Some((mhz, specula_datapath::pass::clock_limit(&graph, &target, mhz))))
 }
 
 /// The core that a spec asks for, before any pass, described with the builder for its formula.

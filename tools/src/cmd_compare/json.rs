@@ -6,6 +6,7 @@ use specula_spec::CoreSpec;
 use specula_testbench::ErrorFigures;
 
 use super::result::{Compared, Core, size};
+use crate::clock::ClockSource;
 use crate::output::PROGRAM;
 
 /// `report.json`. Errors are in LSBs of the 8-bit output.
@@ -66,7 +67,7 @@ pub fn text(compared: &Compared, files: &[String]) -> serde_json::Result<String>
         height: compared.size.1,
         agrees: compared.agrees(),
         clock_mhz: compared.clock.mhz,
-        clock_is_assumed: compared.clock.assumed,
+        clock_is_assumed: compared.clock.source == ClockSource::Assumed,
         set_up_word_bits: WORD_BITS,
         cores: compared
             .cores

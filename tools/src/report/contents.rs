@@ -10,6 +10,7 @@ use specula_testbench::{Errors, MovedInput, Violation, WorstQuantisation};
 use super::facts::{self, Fact};
 use crate::device::Fitted;
 use crate::disagreement::{BeyondBound, CHANNELS, Disagreement};
+use crate::made_for::{MadeFor, Prediction};
 use crate::output::PROGRAM;
 use crate::run::Run;
 use crate::verilog::bound;
@@ -52,6 +53,9 @@ pub struct Report<'a> {
     pub clock_mhz: f64,
     /// Frames per second at that clock, including set-up.
     pub frames_per_second: f64,
+    /// The target and the clock that the core was made for, and the clock that the target's delays
+    /// predict; `None` of a core for any device.
+    pub made_for: Option<Prediction>,
     /// The share of the device that the core takes, if the user named a device.
     #[serde(flatten)]
     pub fitted: Option<Fitted>,
@@ -165,6 +169,7 @@ impl<'a> Report<'a> {
             cycles_per_pixel: run.cycles_per_pixel(),
             clock_mhz: run.clock.mhz,
             frames_per_second: run.frames_per_second(),
+            made_for: MadeFor::of(bench.spec, &bench.design).map(|made_for| made_for.prediction()),
             fitted: run.fitted.clone(),
             begin,
             simulation_seconds: outcome.simulation_seconds,

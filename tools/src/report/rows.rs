@@ -2,6 +2,7 @@
 use specula_testbench::ErrorFigures;
 
 use super::Report;
+use crate::made_for::MadeFor;
 
 /// How fast the core is: rows of name and value.
 pub fn speed(report: &Report) -> [[String; 2]; 4] {
@@ -17,6 +18,12 @@ pub fn speed(report: &Report) -> [[String; 2]; 4] {
 /// The device and the share of it that the core takes, if the user named a device.
 pub fn device(report: &Report) -> Option<[String; 2]> {
     report.fitted.as_ref().map(|fitted| ["device".to_owned(), fitted.in_words()])
+}
+
+/// The target and the clock that the core was made for, and the predicted clock, if it has any.
+pub fn made_for(report: &Report) -> Option<[String; 2]> {
+    let made_for = MadeFor::of(report.spec, &report.run.bench.design)?;
+    Some(["made for".to_owned(), made_for.in_words()])
 }
 
 /// Error figures: largest, root mean square and mean in LSBs, and the PSNR in dB.

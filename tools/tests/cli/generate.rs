@@ -153,3 +153,39 @@ fn the_verilog_of_a_run_is_not_exchanged() {
     place.succeeds(&["generate", "teapot", "-o", "core"]);
     place.succeeds(&["run", "teapot", "--size", "64x48", "-o", "core"]);
 }
+
+/// Whatever words ask for a clock, the command in the header makes the same bytes.
+#[test]
+fn the_command_in_the_header_makes_the_same_core() {
+    let place = Place::new();
+    let asked = [
+        &["--target", "ecp5"][..],
+        &["--target", "ecp5", "--clock", "max"],
+        &["--target", "ecp5", "--clock", "87.5"],
+        &["--target", "generic"],
+    ];
+    for words in asked {
+        let wanted = ["generate", "torus", "--size", "32x24", "--method", "gouraud", "-o", "-"];
+        let text = place.succeeds(&[&wanted[..], words].concat());
+        let command = text.lines().find_map(|line| line.strip_prefix("//   specula "));
+        let command = command.expect("the header has the command");
+        assert_eq!(command.contains(" --target ecp5 --clock "), words[1] == "ecp5", "{command}");
+        let again: Vec<&str> = command.split(' ').chain(["-o", "-"]).collect();
+        assert!(place.succeeds(&again) == text, "{command}");
+    }
+}
+
+#[test]
+fn a_clock_is_asked_for_on_a_target() {
+    let place = Place::new();
+    let refused = |words: &[&str]| {
+        let ended = place.specula(&[&["generate", "torus", "-o", "-"], words].concat());
+        assert_eq!(ended.status, Some(2), "{words:?}");
+        ended.stderr
+    };
+    assert!(refused(&["--clock", "100"]).contains("--target <TARGET>"));
+    assert!(refused(&["--target", "ecp6"]).contains("ecp5"));
+    assert!(refused(&["--target", "ecp5", "--clock", "0"]).contains("from 1 to 1000 MHz"));
+    let run = place.specula(&["run", "torus", "--clock", "max"]);
+    assert!(run.stderr.contains("--target <TARGET>"), "{}", run.stderr);
+}

@@ -14,6 +14,7 @@ fn every_command_has_help() {
         "wave",
         "stress",
         "synth",
+        "schedule",
         "reproduce",
         "scenes",
         "methods",

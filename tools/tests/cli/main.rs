@@ -13,6 +13,7 @@ mod page;
 mod program;
 mod reproduce;
 mod run;
+mod schedule;
 mod spec;
 mod stress;
 mod synth;

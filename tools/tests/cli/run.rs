@@ -303,3 +303,33 @@ fn frames_per_second_are_said_at_a_clock() {
             .contains("at an assumed 100 MHz that is not proven")
     );
 }
+
+#[test]
+fn a_core_for_a_clock_says_so_and_is_counted_at_the_predicted_one() {
+    let place = Place::new();
+    let target = ["--method", "gouraud", "--target", "ecp5", "--clock", "150"];
+    let said = place.succeeds(&[&["run", "torus", "--size", "32x24"], &target[..]].concat());
+    let report = place.report("out/torus");
+    let made_for = &report["made_for"];
+    assert_eq!((&made_for["target"], &made_for["asked_mhz"]), (&"ecp5".into(), &150.0.into()));
+    let predicted = made_for["predicted_mhz"].as_f64().expect("a number");
+    assert!(predicted >= 150.0, "{predicted}");
+    assert_eq!(report["clock_mhz"].as_f64(), Some(predicted));
+    assert_eq!(report["spec"]["target"]["clock_mhz"], 150.0);
+    let prediction = format!("at 150 MHz; its delays predict {predicted:.1} MHz");
+    for file in ["report.md", "report.html", "torus.v"] {
+        let text = fs::read_to_string(place.path("out/torus").join(file)).unwrap();
+        assert!(text.contains(&prediction), "{file}");
+    }
+    assert!(said.contains(&prediction), "{said}");
+    assert!(said.contains(&format!("at a predicted {predicted:.1} MHz")), "{said}");
+    // The core made again has the same clock, unless one is given.
+    let again = ["run", "torus", "--size", "32x24", "--core", "out/torus", "-o", "again"];
+    place.succeeds(&again);
+    assert_eq!(place.report("again")["clock_mhz"].as_f64(), Some(predicted));
+    place.succeeds(&[&again[..], &["--clock", "20"]].concat());
+    assert_eq!(place.report("again")["clock_mhz"], 20.0);
+    let plain = place.succeeds(&["run", "torus", "--size", "32x24", "-o", "plain"]);
+    assert!(!plain.contains("made for"), "{plain}");
+    assert_eq!(place.report("plain")["made_for"], serde_json::Value::Null);
+}

@@ -16,7 +16,7 @@
 //! constraints.]
 use super::Schedule;
 use super::difference::{Differences, Solution, Variable};
-use super::paths::Paths;
+use super::paths::{Paths, TooLong};
 use crate::design::{NodeId, Op};
 use crate::graph::{Graph, Pace, Value};
 use crate::target::Target;
@@ -35,20 +35,34 @@ pub fn schedule(graph: &Graph, target: &Target, mhz: f64) -> Schedule {
     programme.scheduled(&solution)
 }
 
-/// Nanoseconds of the longest path that no schedule can cut: through a single operator, or through a
-/// loop; 0 where no delays of the target are known.
-pub fn longest(graph: &Graph, target: &Target, mhz: f64) -> f64 {
-    let Some(fabric) = &target.fabric else { return 0.0 };
+/// A path that no schedule can cut: through a single operator, or through a loop.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Uncut {
+    /// The value that it begins at.
+    pub from: NodeId,
+    /// The value that it ends at; the same of a single operator.
+    pub to: NodeId,
+    /// Whether it is part of a loop.
+    pub in_loop: bool,
+    /// Nanoseconds from register to register.
+    pub delay: f64,
+}
+
+/// The longest path that no schedule can cut; none where no delays of the target are known.
+pub fn longest(graph: &Graph, target: &Target, mhz: f64) -> Option<Uncut> {
+    let fabric = target.fabric.as_ref()?;
     let paths = Paths::new(graph, target, fabric, 1000.0 / mhz);
     let programme = Programme::new(graph, &paths);
     let tied = programme.tied();
     let mut in_loops = paths.too_long(&tied);
     in_loops.retain(|path| tied(path.from, path.to));
-    in_loops
-        .into_iter()
-        .map(|path| path.delay)
-        .chain([paths.longest_operator()])
-        .fold(0.0, f64::max)
+    let in_loops = in_loops.into_iter().map(|path| {
+        let TooLong { from, to, delay, .. } = path;
+        Uncut { from, to, in_loop: true, delay }
+    });
+    let operator = paths.longest_operator();
+    let operator = operator.map(|(id, delay)| Uncut { from: id, to: id, in_loop: false, delay });
+    in_loops.chain(operator).max_by(|one, other| one.delay.total_cmp(&other.delay))
 }
 
 /// The linear programme of a graph.

@@ -82,17 +82,19 @@ impl<'a> Paths<'a> {
         found
     }
 
-    /// Nanoseconds from register to register through the slowest operator.
-    pub fn longest_operator(&self) -> f64 {
-        let variable = |value: &&Value| value.op.constant().is_none();
-        let through = self.graph.values.iter().filter(variable).map(|value| {
+    /// The slowest operator, with the nanoseconds from register to register through it; none if
+    /// all values are constants.
+    pub fn longest_operator(&self) -> Option<(NodeId, f64)> {
+        let values = self.graph.values.iter().zip(0..).map(|(value, id)| (NodeId(id), value));
+        let variable = values.filter(|(_, value)| value.op.constant().is_none());
+        let through = variable.map(|(id, value)| {
             let into = match self.way(value) {
                 Way::Through(_) => 0.0,
                 Way::Into(delay) => self.fabric.register + delay,
             };
-            into.max(self.start(value))
+            (id, into.max(self.start(value)))
         });
-        through.fold(0.0, f64::max)
+        through.max_by(|(_, one), (_, other)| one.total_cmp(other))
     }
 
     /// Nanoseconds after the clock at which a value is there whose operands come from registers.
