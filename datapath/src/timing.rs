@@ -166,10 +166,23 @@ impl<'a> Analysis<'a> {
         self.arrivals[id.0 as usize]
     }
 
+    /// The signal that a delay, or a port, has the value of.
+    fn undelayed(&self, id: NodeId) -> NodeId {
+        std::iter::successors(Some(id), |&at| match self.design.node(at).op {
+            Op::Copy(from) if from != at => Some(from),
+            _ => None,
+        })
+        .last()
+        .unwrap_or(id)
+    }
+
     /// Nanoseconds through an operator in the fabric, or through a block without registers before
     /// the product.
     fn operator(&self, node: &Node) -> f64 {
-        let operation = |id: NodeId| (self.design.node(id).op, self.design.node(id).range);
+        let operation = |id: NodeId| {
+            let node = self.design.node(self.undelayed(id));
+            (node.op, node.range)
+        };
         if node.op.is_join(operation) {
             return 0.0;
         }

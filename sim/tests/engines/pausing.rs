@@ -24,11 +24,9 @@ fn every_signal_agrees_at_every_clock(method: Method) {
     println!("seed {seed}");
     let frame = few_spans::frame(seed, 2, 5);
     let cores = PIPELINES.map(|pipelines| with(pipelines, spec(&frame, method)));
-    let for_a_clock = cores.clone().map(|core| {
-        let target = Some(TargetClock { name: "ecp5".into(), clock_mhz: 250.0 });
-        CoreSpec { target, ..core }
-    });
-    for spec in cores.into_iter().chain(for_a_clock) {
+    let target = Some(TargetClock { name: "ecp5".into(), clock_mhz: 250.0 });
+    let for_a_clock = CoreSpec { target, ..spec(&frame, method).specialised(&frame) };
+    for spec in cores.into_iter().chain([for_a_clock]) {
         let design = elaborated(&spec);
         let packets = packets(&spec, &frame);
         let stimulus = Stimulus::whole(&packets, &design).with_bubbles(seed);

@@ -76,7 +76,7 @@ impl Lowering<'_> {
         // A piece has a carry on its left and a bit for one on its right.
         let pieces = width.div_ceil(self.widest_sum - 2);
         let op = self.pieces(at, (first, added), value.range, width.div_ceil(pieces));
-        self.push(Value { op, pace: Pace::Wire, together: None, ..value })
+        self.finished(Value { op, pace: Pace::Wire, together: None, ..value })
     }
 
     /// What a value was for the pixel before.

@@ -7,6 +7,7 @@
 mod accumulator;
 mod compare;
 mod constant;
+mod interval;
 mod product;
 mod sum;
 
@@ -166,13 +167,24 @@ impl<'a> Lowering<'a> {
 
     /// A new value, named after the one that it is a part of.
     fn emit(&mut self, at: Place, op: Op, range: impl Into<WideRange>, part: &str) -> NodeId {
-        let name = unique(&mut self.names, at.scope, &format!("{}_{part}", at.name));
         let wide: WideRange = range.into();
         // Parts of values that fit 63 bits fit them, and so do partial sums that a bit is added to.
         let range = wide.narrow().expect("a part of a value");
+        let value = self.part(at, op, range, part);
+        self.finished(value)
+    }
+
+    /// An operator's result whatever its operands are, of which a value takes the low bits.
+    fn emit_whole(&mut self, at: Place, op: Op, range: Range) -> NodeId {
+        let value = self.part(at, op, range, "whole");
+        self.push(value)
+    }
+
+    fn part(&mut self, at: Place, op: Op, range: Range, part: &str) -> Value {
+        let name = unique(&mut self.names, at.scope, &format!("{}_{part}", at.name));
         let (pace, together, fraction_bits) = (self.pace, None, at.fraction_bits);
         let (scope, still, named) = (at.scope, self.graph.gives_still(op, pace), false);
-        self.push(Value { op, pace, together, range, fraction_bits, still, scope, name, named })
+        Value { op, pace, together, range, fraction_bits, still, scope, name, named }
     }
 
     fn integer(&mut self, at: Place, value: i64) -> NodeId {
@@ -246,8 +258,11 @@ impl<'a> Lowering<'a> {
     fn joined(&self, id: NodeId) -> Option<((NodeId, NodeId), u32)> {
         let Op::Or(high, low) = self.value(id).op else { return None };
         let Op::ShiftLeft(from, bits) = self.value(high).op else { return None };
-        let operation = |id: NodeId| (self.value(id).op, self.range(id));
-        self.value(id).op.is_join(operation).then_some(((from, low), bits))
+        self.is_join(self.value(id).op).then_some(((from, low), bits))
+    }
+
+    fn is_join(&self, op: Op) -> bool {
+        op.is_join(|id: NodeId| (self.value(id).op, self.range(id)))
     }
 
     /// Bits at the right that are always 0.

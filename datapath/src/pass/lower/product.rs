@@ -26,7 +26,7 @@ impl Lowering<'_> {
             (Some(_), None) => self.multiplied(at, [b, a], value.range),
             _ => self.multiplied(at, [a, b], value.range),
         };
-        self.push(Value { op, ..value })
+        self.finished(Value { op, ..value })
     }
 
     /// The operator that gives a product, whose parts are added before. A constant comes second.

@@ -16,7 +16,7 @@ impl Lowering<'_> {
     /// A sum or difference.
     pub(super) fn sum(&mut self, value: Value) -> NodeId {
         let op = self.summed(place(&value), value.op, value.range);
-        self.push(Value { op, ..value })
+        self.finished(Value { op, ..value })
     }
 
     /// A new sum or difference with this range.
