@@ -57,7 +57,7 @@ struct Analysis<'a> {
 /// What a signal is to the multiplier block that it belongs to.
 #[derive(Clone, Copy, PartialEq)]
 enum Part {
-    /// The register of a factor, in a block with so many registers.
+    /// The register of a factor, of so many that the block has in a row.
     Taken(u32),
     /// A register between factors and product.
     Pipelined,
@@ -70,7 +70,8 @@ impl<'a> Analysis<'a> {
         let mut parts = vec![None; design.nodes.len()];
         for block in &design.multipliers {
             let mut part = |id: NodeId, part| parts[id.0 as usize] = Some(part);
-            block.taken.into_iter().flatten().for_each(|id| part(id, Part::Taken(block.registers)));
+            let taken = Part::Taken(block.registers);
+            block.taken.into_iter().flatten().for_each(|id| part(id, taken));
             block.pipelined.into_iter().for_each(|id| part(id, Part::Pipelined));
             part(block.product, Part::Product(block.registers));
         }
@@ -86,20 +87,23 @@ impl<'a> Analysis<'a> {
         for id in starts {
             self.arrivals[id.0 as usize] = self.clock_to_output(id);
         }
+        let computed: Vec<NodeId> = self.computed(|node| !node.registered());
+        for id in computed {
+            let (arrival, last) = self.through(id, self.design.node(id));
+            (self.arrivals[id.0 as usize], self.before[id.0 as usize]) = (arrival, last);
+        }
         let mut slowest = (self.fabric.register, None);
-        let mut arrivals = vec![0.0; self.design.nodes.len()];
-        for (id, node) in self.design.iter() {
-            if node.op.constant().is_some() || node.op == Op::Input {
-                continue;
+        let mut arrivals = self.arrivals.clone();
+        for &id in &self.design.outputs {
+            if self.arrival(id) > slowest.0 {
+                slowest = (self.arrival(id), Some(id));
             }
-            let (arrival, last) = self.through(id, node);
+        }
+        for id in self.computed(Node::registered) {
+            let (arrival, last) = self.through(id, self.design.node(id));
             arrivals[id.0 as usize] = arrival;
-            if node.registered() {
-                self.before[id.0 as usize] = last;
-            } else {
-                (self.arrivals[id.0 as usize], self.before[id.0 as usize]) = (arrival, last);
-            }
-            if arrival > slowest.0 && self.ends_path(id, node) {
+            self.before[id.0 as usize] = last;
+            if arrival > slowest.0 {
                 slowest = (arrival, Some(id));
             }
         }
@@ -142,9 +146,20 @@ impl<'a> Analysis<'a> {
         let delay = match (part, enabled) {
             (Some(Part::Taken(registers)), _) => self.fabric.net + self.pipeline(registers).0,
             (_, Some(_)) => 0.0,
+            _ if self.is_control(id, node) => 0.0,
             _ => self.operator(node),
         };
         (arrival + delay, last)
+    }
+
+    /// Whether a choice is made by a flip-flop's own pins: its synchronous reset, or the enable
+    /// behind that.
+    fn is_control(&self, id: NodeId, node: &Node) -> bool {
+        let Op::Select(_, taken, kept) = node.op else { return false };
+        let is_zero = self.design.node(taken).op == Op::Constant(0);
+        let own = self.design.node(kept);
+        let resets = |own: &Node| matches!(own.op, Op::Select(_, _, next) if next == id);
+        node.registered() && is_zero || own.registered() && resets(own)
     }
 
     fn arrival(&self, id: NodeId) -> f64 {
@@ -168,9 +183,11 @@ impl<'a> Analysis<'a> {
         }
     }
 
-    /// Whether a signal is taken by a register, or leaves the design.
-    fn ends_path(&self, id: NodeId, node: &Node) -> bool {
-        node.registered() || self.design.outputs.contains(&id)
+    /// The signals that operators compute, of those that are asked for, in order.
+    fn computed(&self, wanted: impl Fn(&Node) -> bool) -> Vec<NodeId> {
+        let computed = |node: &Node| node.op.constant().is_none() && node.op != Op::Input;
+        let all = self.design.iter().filter(|(_, node)| computed(node) && wanted(node));
+        all.map(|(id, _)| id).collect()
     }
 }
 

@@ -9,6 +9,8 @@ pub enum Shape {
     Wires,
     /// A function of few bits in one look-up table.
     Gate,
+    /// Whether any of so many bits is 1.
+    AnyOf(u32),
     /// A carry chain of so many bits.
     Carry(u32),
     /// A table in logic with so many bits of address.
@@ -31,6 +33,8 @@ impl Shape {
             Op::Add(..) | Op::Sub(..) => Shape::Carry(width),
             // The sign alone.
             Op::LessThan(_, b) if operand(b) == 0 => Shape::Wires,
+            // Any bit at all.
+            Op::LessThan(a, b) if operand(a) == 0 => Shape::AnyOf(operand(b)),
             Op::LessThan(a, b) => Shape::Carry(operand(a).max(operand(b))),
             Op::And(..) | Op::Or(..) | Op::Not(_) | Op::Select(..) => Shape::Gate,
             Op::LookUp(a, _) => Shape::Table(operand(a)),
@@ -46,6 +50,7 @@ impl Fabric {
         match shape {
             Shape::Wires => 0.0,
             Shape::Gate => gate,
+            Shape::AnyOf(bits) => gate * f64::from(bits.max(2).ilog2().div_ceil(2)),
             Shape::Carry(width) => self.net + self.carry + self.carry_bit * f64::from(width),
             // Four bits of address in a look-up table, then two more for each level of multiplexers.
             Shape::Table(bits) => gate * f64::from(1 + bits.saturating_sub(4).div_ceil(2)),

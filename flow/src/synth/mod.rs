@@ -104,6 +104,15 @@ impl Synthesis {
     }
 }
 
+/// The cells that Yosys makes of a design for a target.
+///
+/// # Errors
+/// [`SynthError::Tool`] if Yosys is not installed or fails.
+pub fn synthesised(design: &Design, target: &SynthTarget) -> Result<Cells, SynthError> {
+    let (yosys, directory) = (yosys::program()?, temporary_directory()?);
+    Ok(yosys::run(&yosys, directory.path(), design, target)?.0)
+}
+
 /// Synthesises a design for a target, places and routes it with the seeds 1 to `seeds` for
 /// `asked_mhz`, as many at a time as there are processors, and tells `watch` how many are done.
 ///

@@ -44,7 +44,7 @@ impl Lowering<'_> {
             false => Op::Copy(shifted),
             true => {
                 let zero = self.integer(at, 0);
-                Op::Sub(zero, shifted)
+                Op::Copy(self.new_sum(at, Op::Sub(zero, shifted), range, "negative"))
             }
         })
     }

@@ -14,6 +14,7 @@ use std::collections::{HashMap, HashSet};
 
 use super::loops::loops;
 use crate::design::{NodeId, Op, Range, ScopeId, WideRange};
+use crate::format::WIDEST_SIGNAL;
 use crate::graph::{Graph, Pace, Value};
 use crate::names::unique;
 use crate::target::Target;
@@ -37,7 +38,7 @@ pub fn lowered(graph: &Graph, target: &Target, mhz: f64) -> Graph {
         let accumulator = accumulators.get(&NodeId(index as u32));
         let new = match (accumulator, loops[index]) {
             (Some(accumulator), _) => lowering.accumulated(own, *accumulator),
-            (None, Some(_)) if !rounds.contains(&index) => lowering.push(own),
+            (None, Some(_)) if !rounds.contains(&index) => lowering.in_loop(own),
             (None, _) => lowering.operator(own),
         };
         lowering.new.push(new);
@@ -52,6 +53,8 @@ const NARROWEST_PIECE: u32 = 8;
 struct Lowering<'a> {
     from: &'a Graph,
     target: &'a Target,
+    /// How parts of operators are clocked.
+    pace: Pace,
     /// Most bits of a sum in one piece.
     widest_sum: u32,
     /// The new graph; its groups and real values are those of the old one until the end.
@@ -84,6 +87,7 @@ impl<'a> Lowering<'a> {
         Lowering {
             from,
             target,
+            pace: Pace::Target,
             widest_sum,
             names: names.chain(instances).chain(control).collect(),
             graph: Graph { values: vec![], ..from.clone() },
@@ -108,6 +112,18 @@ impl<'a> Lowering<'a> {
             Op::LessThan(a, b) => self.comparison(value, [a, b]),
             _ => self.push(value),
         }
+    }
+
+    /// A value of a loop, whose parts are all in its one clock: sums are not cut.
+    fn in_loop(&mut self, value: Value) -> NodeId {
+        let outside = (self.pace, self.widest_sum);
+        (self.pace, self.widest_sum) = (Pace::Wire, WIDEST_SIGNAL);
+        let new = match value.op {
+            Op::Mul(..) => self.operator(value),
+            _ => self.push(value),
+        };
+        (self.pace, self.widest_sum) = outside;
+        new
     }
 
     /// The finished graph.
@@ -154,7 +170,7 @@ impl<'a> Lowering<'a> {
         let wide: WideRange = range.into();
         // Parts of values that fit 63 bits fit them, and so do partial sums that a bit is added to.
         let range = wide.narrow().expect("a part of a value");
-        let (pace, together, fraction_bits) = (Pace::Target, None, at.fraction_bits);
+        let (pace, together, fraction_bits) = (self.pace, None, at.fraction_bits);
         let (scope, still, named) = (at.scope, self.graph.gives_still(op, pace), false);
         self.push(Value { op, pace, together, range, fraction_bits, still, scope, name, named })
     }

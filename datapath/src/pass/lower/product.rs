@@ -70,7 +70,10 @@ impl Lowering<'_> {
         if factor.width() == 1 {
             // 0 and 1, or 0 and -1.
             let once = self.emit(at, Op::Select(low_bit, a, zero), row, "once");
-            return if factor.signed() { Op::Sub(zero, once) } else { Op::Copy(once) };
+            return match factor.signed() {
+                true => Op::Copy(self.new_sum(at, Op::Sub(zero, once), range, "negative")),
+                false => Op::Copy(once),
+            };
         }
         let once = self.emit(at, Op::Select(low_bit, a, zero), row, "once");
         let high_bit = bit(self, 1);

@@ -46,8 +46,8 @@ impl Lowering<'_> {
             passing if passing < range.width() => {
                 return self.above(at, [a, b], is_sum, range, passing);
             }
-            // The second operand begins above the first one's sign; it is no longer than 63 bits.
-            _ => return op,
+            // The second operand has no bits that the result has.
+            _ => return Op::Wrap(a),
         }
         let width = range.width();
         if width <= self.widest_sum {

@@ -53,9 +53,10 @@ pub fn longest(graph: &Graph, target: &Target, mhz: f64) -> Option<Uncut> {
     let fabric = target.fabric.as_ref()?;
     let paths = Paths::new(graph, target, fabric, 1000.0 / mhz);
     let programme = Programme::new(graph, &paths);
-    let tied = programme.differences.tied();
-    let in_loops = paths.too_long().into_iter().filter(|path| programme.is_in_loop(path, &tied));
-    let in_loops = in_loops.map(|path| {
+    let tied = programme.tied();
+    let mut in_loops = paths.too_long(&tied);
+    in_loops.retain(|path| tied(path.from, path.to));
+    let in_loops = in_loops.into_iter().map(|path| {
         let TooLong { from, to, delay, .. } = path;
         Uncut { from, to, in_loop: true, delay }
     });
@@ -148,16 +149,20 @@ impl<'a> Programme<'a> {
         }
     }
 
-    /// Whether both ends of a path are in the one clock of a loop.
-    fn is_in_loop(&self, path: &TooLong, tied: &[Option<usize>]) -> bool {
-        let [from, to] = [path.from, path.to].map(|id| self.taken(id));
-        from == to || tied[from.index()].is_some() && tied[from.index()] == tied[to.index()]
+    /// Whether two values are in the one clock of a loop.
+    fn tied(&self) -> impl Fn(NodeId, NodeId) -> bool + use<> {
+        let sets = self.differences.tied();
+        let taken = self.taken.clone();
+        move |from, to| {
+            let [from, to] = [from, to].map(|id| taken[id.0 as usize].index());
+            from == to || sets[from].is_some() && sets[from] == sets[to]
+        }
     }
 
     fn separate_long_paths(&mut self) {
-        let tied = self.differences.tied();
-        let mut paths = self.paths.too_long();
-        paths.retain(|path| !self.is_in_loop(path, &tied));
+        let tied = self.tied();
+        let mut paths = self.paths.too_long(&tied);
+        paths.retain(|path| !tied(path.from, path.to));
         for path in paths {
             let stage = self.taken(path.to);
             self.there(path.from, stage, 1 + i64::from(path.clocks));

@@ -66,16 +66,17 @@ impl<'a> Paths<'a> {
         }
     }
 
-    /// Every pair of values between which a register must be, with the shortest such paths only,
-    /// the longest of those that lead from one to the other.
-    pub fn too_long(&self) -> Vec<TooLong> {
+    /// Every pair of values that need a register between them, with the shortest such paths only, the
+    /// longest of those that lead from one to the other. A path goes on where none can be, since
+    /// both are `tied` to the one clock of a loop.
+    pub fn too_long(&self, tied: &dyn Fn(NodeId, NodeId) -> bool) -> Vec<TooLong> {
         let mut found = vec![];
         let mut arrival: Vec<Option<(f64, u32)>> = vec![None; self.graph.values.len()];
         for index in 0..self.graph.values.len() {
             let from = NodeId(index as u32);
             // What is still begins no path but its own, of one operator.
             if !self.graph.is_still(from) {
-                self.paths_from(from, &mut arrival, &mut found);
+                self.paths_from(from, tied, &mut arrival, &mut found);
             }
         }
         found
@@ -135,6 +136,7 @@ impl<'a> Paths<'a> {
     fn paths_from(
         &self,
         from: NodeId,
+        tied: &dyn Fn(NodeId, NodeId) -> bool,
         arrival: &mut [Option<(f64, u32)>],
         found: &mut Vec<TooLong>,
     ) {
@@ -150,9 +152,11 @@ impl<'a> Paths<'a> {
                     Way::Through(delay) => (at + delay, false),
                     Way::Into(delay) => (at + delay, true),
                 };
-                if delay > self.period {
+                let too_long = delay > self.period;
+                if too_long {
                     found.push(TooLong { from, to: reader, clocks, delay });
-                } else if !ends {
+                }
+                if !ends && (!too_long || tied(from, reader)) {
                     let stages = clocks + u32::from(value.pace == Pace::Ahead);
                     let slot = &mut arrival[reader.0 as usize];
                     let later = slot.is_none_or(|(before, _)| before < delay);
