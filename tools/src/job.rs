@@ -88,7 +88,7 @@ pub struct SceneOrSpec {
     #[arg(required_unless_present = "spec")]
     pub scene: Option<String>,
     /// Use the core in this spec.toml instead of one for a scene
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "size", "method", "specialise", "bound", "max_error", "max_quantisation", "target"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "size", "method", "specialise", "bound", "max_error", "max_quantisation"])]
     pub spec: Option<PathBuf>,
     #[command(flatten)]
     picture: PictureArguments,
@@ -104,7 +104,16 @@ impl SceneOrSpec {
         name: &NameArguments,
     ) -> Result<(SpecFile, Origin), ToolError> {
         match &self.spec {
-            Some(path) => made_before(path, name),
+            Some(path) => {
+                let (file, origin) = made_before(path, name)?;
+                let made_for = &self.wanted.made_for;
+                let spec = made_for.made_for(file.spec)?;
+                let origin = match made_for.target {
+                    Some(_) => origin.with_target(&spec),
+                    None => origin,
+                };
+                Ok((SpecFile { spec, ..file }, origin))
+            }
             None => {
                 let scene = self.scene();
                 let Job { file, origin, .. } = Job::of_scene(&scene, &self.wanted, device, name)?;

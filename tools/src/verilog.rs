@@ -58,11 +58,7 @@ impl Origin {
             .filter(|_| core.bound.is_some())
             .map(|device| format!(" --device {}", device.name))
             .unwrap_or_default();
-        let target = spec.target.as_ref().map(|clock| {
-            let TargetClock { name, clock_mhz } = clock;
-            format!(" --target {name} --clock {clock_mhz}")
-        });
-        let target = target.unwrap_or_default();
+        let target = target_in_words(spec);
         let command = format!(
             "specula generate {}{size} --method {method}{specialise}{formats}{device}{target}",
             quoted(&scene)
@@ -84,6 +80,12 @@ impl Origin {
 }
 
 impl Origin {
+    /// The origin of a core that is made for another target than its file says.
+    pub fn with_target(mut self, spec: &CoreSpec) -> Origin {
+        self.command += &target_in_words(spec);
+        self
+    }
+
     /// The origin of a core that was given a name.
     pub fn with_name(mut self, name: &NameArguments) -> Origin {
         if let Some(name) = &name.name {
@@ -91,6 +93,14 @@ impl Origin {
         }
         self
     }
+}
+
+/// The arguments that say what a core is made for.
+fn target_in_words(spec: &CoreSpec) -> String {
+    let words = |TargetClock { name, clock_mhz }: &TargetClock| {
+        format!(" --target {name} --clock {clock_mhz}")
+    };
+    spec.target.as_ref().map(words).unwrap_or_default()
 }
 
 fn scene_name(scene: &str) -> String {
