@@ -2,7 +2,7 @@
 use std::collections::HashSet;
 
 use crate::block::Module;
-use crate::design::{Design, Node, NodeId, Op};
+use crate::design::{Design, MultiplierBlock, Node, NodeId, Op};
 use crate::target::Shape;
 use crate::verilog::{Delays, LongDelays};
 
@@ -97,7 +97,7 @@ impl Design {
     pub fn stages(&self) -> Vec<Stage> {
         let mut stages = vec![Stage::default(); self.depth() as usize + 1];
         let in_blocks: HashSet<NodeId> =
-            self.multipliers.iter().flat_map(|block| block.inside()).collect();
+            self.multipliers.iter().flat_map(MultiplierBlock::inside).collect();
         let mut in_memories = HashSet::new();
         collect_memories(&self.to_block(), &mut in_memories);
         for (id, node) in self.iter() {
@@ -105,11 +105,15 @@ impl Design {
             let bits = u64::from(node.width());
             if node.registered() {
                 stage.ends.push(id);
-                match () {
-                    () if in_blocks.contains(&id) => stage.carried.in_blocks += bits,
-                    () if in_memories.contains(&id) => stage.carried.in_memories += bits,
-                    () => stage.carried.flip_flops += bits,
-                }
+                let carried = &mut stage.carried;
+                let place = if in_blocks.contains(&id) {
+                    &mut carried.in_blocks
+                } else if in_memories.contains(&id) {
+                    &mut carried.in_memories
+                } else {
+                    &mut carried.flip_flops
+                };
+                *place += bits;
             } else if self.outputs.contains(&id) || self.valid_out == id {
                 stage.ends.push(id);
             }

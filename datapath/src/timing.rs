@@ -123,7 +123,7 @@ impl<'a> Analysis<'a> {
     /// Nanoseconds into a block with so many registers, and out of it.
     fn pipeline(&self, registers: u32) -> (f64, f64) {
         let pipelines = self.target.multiplier.iter().flat_map(|block| &block.pipeline);
-        let matching = pipelines.filter(|pipeline| pipeline.clocks <= registers).last();
+        let matching = pipelines.rev().find(|pipeline| pipeline.clocks <= registers);
         matching.map_or((0.0, 0.0), |pipeline| (pipeline.into, pipeline.out))
     }
 
@@ -210,10 +210,7 @@ fn path(design: &Design, last_operands: &[Option<NodeId>], end: NodeId) -> Vec<N
     let mut at = last_operands[end.0 as usize];
     while let Some(id) = at {
         path.push(id);
-        at = match starts_path(design.node(id)) {
-            true => None,
-            false => last_operands[id.0 as usize],
-        };
+        at = last_operands[id.0 as usize].filter(|_| !starts_path(design.node(id)));
     }
     path.reverse();
     path

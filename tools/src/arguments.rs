@@ -163,7 +163,7 @@ impl TargetArguments {
 }
 
 /// The target that is no device in particular.
-const ANY_DEVICE: &str = "generic";
+pub const ANY_DEVICE: &str = "generic";
 
 /// `--target`.
 fn target_parser() -> impl TypedValueParser<Value = String> {

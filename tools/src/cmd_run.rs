@@ -40,9 +40,15 @@ Exit status: 0 if every pixel agrees and no quantisation error is above its prov
 
 Example: specula run teapot --size 320x240 --method hybrid --trace span=100";
 
+/// What `--clock` means here, where it needs no target.
+const CLOCK_HELP: &str = "\
+Clock in MHz, from 1 to 1000, that a core with --target is pipelined for, or max for the highest that \
+its loops allow [default: max]; without, the one at which frames per second are counted: assumed, not \
+proven [default: 100]";
+
 /// Arguments of `run`.
 #[derive(Clone, Debug, Args)]
-#[command(after_help = EXAMPLE)]
+#[command(after_help = EXAMPLE, mut_arg("clock", |clock| clock.help(CLOCK_HELP)))]
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,

@@ -71,8 +71,6 @@ pub fn execute(
 /// Parses `-o`.
 fn parse_picture(text: &str) -> Result<PathBuf, String> {
     let path = Path::new(text);
-    match path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("svg")) {
-        true => Ok(path.to_owned()),
-        false => Err("write the name of a picture that ends in .svg".to_owned()),
-    }
+    let drawn = path.extension().filter(|ending| ending.eq_ignore_ascii_case("svg"));
+    drawn.map(|_| path.to_owned()).ok_or("write the name of a picture that ends in .svg".to_owned())
 }

@@ -7,7 +7,7 @@ use specula_datapath::verilog::{self, Header};
 use specula_scene::builtin_names;
 use specula_spec::{CoreSpec, SpecFile, TargetClock};
 
-use crate::arguments::{CoreArguments, NameArguments, SceneArguments};
+use crate::arguments::{ANY_DEVICE, CoreArguments, NameArguments, SceneArguments};
 use crate::device::DeviceArguments;
 use crate::made_for::MadeFor;
 use crate::table;
@@ -82,7 +82,9 @@ impl Origin {
 impl Origin {
     /// The origin of a core that is made for another target than its file says.
     pub fn with_target(mut self, spec: &CoreSpec) -> Origin {
-        self.command += &target_in_words(spec);
+        let any_device = || format!(" --target {ANY_DEVICE}");
+        let target = spec.target.as_ref().map_or_else(any_device, |_| target_in_words(spec));
+        self.command += &target;
         self
     }
 

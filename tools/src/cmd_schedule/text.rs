@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use specula_datapath::stages::OperatorKind;
 
-use super::contents::{CarriedFacts, Contents, OperatorFacts, PathFacts, StageFacts};
+use super::contents::{CarriedFacts, Contents, LimitFacts, OperatorFacts, PathFacts, StageFacts};
 use crate::table;
 
 /// Most operators of a path in an overview.
@@ -82,9 +82,10 @@ fn way(path: &PathFacts) -> String {
     let before = if more > 0 { format!(", {more} more") } else { String::new() };
     let shown = listed(unit(&path.from), &operators[more..].iter().collect::<Vec<_>>());
     let to = path.signals.last().map_or("", String::as_str);
-    match shown.is_empty() {
-        true => format!("{} to {to}", path.from),
-        false => format!("{}{before}: {shown}", path.from),
+    if shown.is_empty() {
+        format!("{} to {to}", path.from)
+    } else {
+        format!("{}{before}: {shown}", path.from)
     }
 }
 
@@ -105,10 +106,7 @@ fn largest(stage: &StageFacts) -> String {
     operators.sort_by_key(|operator| (operator.sort, std::cmp::Reverse(operator.widths.clone())));
     let (shown, rest) = operators.split_at(operators.len().min(SHOWN));
     let shown = listed("", shown);
-    match rest.is_empty() {
-        true => shown,
-        false => format!("{shown}; {} more", counted(rest)),
-    }
+    if rest.is_empty() { shown } else { format!("{shown}; {} more", counted(rest)) }
 }
 
 /// How many operators there are of each kind.
@@ -204,16 +202,16 @@ fn totals(contents: &Contents) -> Vec<[String; 2]> {
 /// The highest clock, and what limits it.
 fn highest(contents: &Contents) -> Option<String> {
     let mhz = contents.highest_mhz?;
-    let limit =
-        contents.limited_by.as_ref().map_or("nothing limits it below that".to_owned(), |limit| {
-            let kind = limit.kind;
-            match limit.from == limit.to {
-                true => format!("the {kind} {} takes {:.2} ns", limit.to, limit.ns),
-                false => format!(
-                    "the {kind} from {} to {} takes {:.2} ns",
-                    limit.from, limit.to, limit.ns
-                ),
-            }
-        });
+    let limit = contents.limited_by.as_ref().map(limit_in_words);
+    let limit = limit.unwrap_or("nothing limits it below that".to_owned());
     Some(format!("{mhz} MHz: {limit}"))
+}
+
+fn limit_in_words(limit: &LimitFacts) -> String {
+    let LimitFacts { kind, from, to, ns } = limit;
+    if from == to {
+        format!("the {kind} {to} takes {ns:.2} ns")
+    } else {
+        format!("the {kind} from {from} to {to} takes {ns:.2} ns")
+    }
 }

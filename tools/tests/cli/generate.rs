@@ -173,6 +173,11 @@ fn the_command_in_the_header_makes_the_same_core() {
         let again: Vec<&str> = command.split(' ').chain(["-o", "-"]).collect();
         assert!(place.succeeds(&again) == text, "{command}");
     }
+    // A core that was made for a target can be made for any device.
+    place.succeeds(&["generate", "torus", "--target", "ecp5", "--clock", "90", "-o", "core"]);
+    let text = place.succeeds(&["generate", "--spec", "core", "--target", "generic", "-o", "-"]);
+    assert!(text.contains("//   specula generate --spec spec.toml --target generic\n"), "{text}");
+    assert!(!text.contains("Made for"), "{text}");
 }
 
 #[test]
