@@ -69,9 +69,10 @@ pub fn highest_clock(graph: &Graph, target: &Target) -> f64 {
     let (mut low, mut high) = (1u32, 1000u32);
     while low < high {
         let middle = (low + high).div_ceil(2);
-        match allows(f64::from(middle)) {
-            true => low = middle,
-            false => high = middle - 1,
+        if allows(f64::from(middle)) {
+            low = middle;
+        } else {
+            high = middle - 1;
         }
     }
     f64::from(low)

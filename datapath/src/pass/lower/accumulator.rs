@@ -65,9 +65,10 @@ impl Lowering<'_> {
     /// What an accumulator accumulates.
     pub(super) fn accumulated(&mut self, value: Value, of: Accumulator) -> NodeId {
         let at = place(&value);
-        let step = match self.changing[of.step.0 as usize] {
-            true => self.of_pixel_before(at, of.step),
-            false => self.new[of.step.0 as usize],
+        let step = if self.changing[of.step.0 as usize] {
+            self.of_pixel_before(at, of.step)
+        } else {
+            self.new[of.step.0 as usize]
         };
         let [first, start] = [of.first, of.start].map(|id| self.new[id.0 as usize]);
         let range = self.range(start).hull(self.range(step));
@@ -109,9 +110,10 @@ impl Lowering<'_> {
         loop {
             let below = done.map_or(0, |(_, bits)| bits);
             let last = range.width() - below <= bits;
-            let shape = match last {
-                true => Range::whole(range.width() - below, range.signed()),
-                false => Range::whole(bits, false),
+            let shape = if last {
+                Range::whole(range.width() - below, range.signed())
+            } else {
+                Range::whole(bits, false)
             };
             let part = if last { rest } else { self.low(at, rest, bits) };
             let (sum, piece) = self.piece(at, first, (part, carry), shape);

@@ -40,13 +40,11 @@ impl Lowering<'_> {
         }
         let [only] = terms[..] else { return None };
         let shifted = self.shifted(at, only.value, only.shift);
-        Some(match only.negative {
-            false => Op::Copy(shifted),
-            true => {
-                let zero = self.integer(at, 0);
-                Op::Copy(self.new_sum(at, Op::Sub(zero, shifted), range, "negative"))
-            }
-        })
+        if !only.negative {
+            return Some(Op::Copy(shifted));
+        }
+        let zero = self.integer(at, 0);
+        Some(Op::Copy(self.new_sum(at, Op::Sub(zero, shifted), range, "negative")))
     }
 
     /// Two terms as one, the first of which has the smaller shift.

@@ -70,9 +70,10 @@ impl Lowering<'_> {
         if factor.width() == 1 {
             // 0 and 1, or 0 and -1.
             let once = self.emit(at, Op::Select(low_bit, a, zero), row, "once");
-            return match factor.signed() {
-                true => Op::Copy(self.new_sum(at, Op::Sub(zero, once), range, "negative")),
-                false => Op::Copy(once),
+            return if factor.signed() {
+                Op::Copy(self.new_sum(at, Op::Sub(zero, once), range, "negative"))
+            } else {
+                Op::Copy(once)
             };
         }
         let once = self.emit(at, Op::Select(low_bit, a, zero), row, "once");
@@ -145,9 +146,10 @@ impl Lowering<'_> {
         let high = self.high(at, a, cut);
         let parts = [(low, low, 0), (low, high, cut + 1), (high, high, 2 * cut)];
         let parts = parts.map(|(first, second, shift)| {
-            let shape = match first == second {
-                true => self.narrowed(self.range(first).squared()),
-                false => self.narrowed(self.range(first).times(self.range(second))),
+            let shape = if first == second {
+                self.narrowed(self.range(first).squared())
+            } else {
+                self.narrowed(self.range(first).times(self.range(second)))
             };
             let op = self.multiplied(at, [first, second], shape);
             (shift, self.emit(at, op, shape, "tile"))

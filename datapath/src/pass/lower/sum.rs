@@ -70,13 +70,11 @@ impl Lowering<'_> {
         let [high_a, high_b] = [a, b].map(|id| self.high(at, id, bits));
         let op = if is_sum { Op::Add(high_a, high_b) } else { Op::Sub(high_a, high_b) };
         let high = self.new_sum(at, op, range.shifted_right(bits), "above");
-        match self.zeros(a) >= bits {
-            true => Op::ShiftLeft(high, bits),
-            false => {
-                let low = self.low(at, a, bits);
-                self.joined_with(at, high, low, bits)
-            }
+        if self.zeros(a) >= bits {
+            return Op::ShiftLeft(high, bits);
         }
+        let low = self.low(at, a, bits);
+        self.joined_with(at, high, low, bits)
     }
 
     /// The low `bits` first, then the others with the carry.

@@ -101,9 +101,10 @@ impl<'a> Placing<'a> {
     /// at the stage of its factors.
     fn operator(&self, id: NodeId, value: &Value, taken: u32) -> Node {
         let registers = self.schedule.registers(id);
-        let stage = match self.schedule.in_block(id) {
-            true => taken,
-            false => self.schedule.stage(id) - registers.saturating_sub(1),
+        let stage = if self.schedule.in_block(id) {
+            taken
+        } else {
+            self.schedule.stage(id) - registers.saturating_sub(1)
         };
         Node {
             op: value.op,
