@@ -137,10 +137,11 @@ impl SceneOrSpec {
         };
         let scene =
             SceneArguments { scene: named.to_owned(), picture: PictureArguments::default() };
-        match &self.spec {
-            Some(path) => Job::with_core(&scene, path, name),
-            None => Job::shading(self.file(&device, name)?, &scene, Path::new(&self.scene().scene)),
-        }
+        let core = match &self.spec {
+            Some(path) => path,
+            None => Path::new(self.scene.as_deref().unwrap_or_default()),
+        };
+        Job::shading(self.file(&device, name)?, &scene, core)
     }
 
     /// The scene that the core is made for.

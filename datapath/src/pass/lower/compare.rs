@@ -7,7 +7,9 @@ use crate::graph::Value;
 impl Lowering<'_> {
     /// Whether the first value is less than the second.
     pub(super) fn comparison(&mut self, value: Value, [a, b]: [NodeId; 2]) -> NodeId {
-        let with_zero = self.constant(b) == Some(0) || self.constant(a) == Some(0);
+        // The sign of one operand, or any bit of the other.
+        let is_zero = |id| self.constant(id) == Some(0);
+        let with_zero = is_zero(b) || is_zero(a) && self.range(b).low >= 0;
         if with_zero || self.range(a).width().max(self.range(b).width()) <= NARROW {
             return self.push(value);
         }

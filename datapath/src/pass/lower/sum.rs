@@ -97,7 +97,11 @@ impl Lowering<'_> {
             let shape = low_range_a.minus(low_range_b);
             let low = self.emit(at, Op::Sub(low_a, low_b), shape, "low_difference");
             let zero = self.integer(at, 0);
-            (low, self.emit(at, Op::LessThan(low, zero), Range::new(0, 1), "borrow"))
+            let borrows = self.range(low).low < 0;
+            let borrow = |lowering: &mut Self| {
+                lowering.emit(at, Op::LessThan(low, zero), Range::new(0, 1), "borrow")
+            };
+            (low, if borrows { borrow(self) } else { zero })
         };
         let one = self.integer(at, i64::from(is_sum));
         let first = self.with_bit(at, high_a, one);
