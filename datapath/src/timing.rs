@@ -146,6 +146,8 @@ impl<'a> Analysis<'a> {
         let delay = match (part, enabled) {
             (Some(Part::Taken(registers)), _) => self.fabric.net + self.pipeline(registers).0,
             (_, Some(_)) => 0.0,
+            // The register of an accumulator is not beside the adder: another has the sum too.
+            _ if self.is_control(id, node) && node.registered() => self.fabric.net,
             _ if self.is_control(id, node) => 0.0,
             _ => self.operator(node),
         };

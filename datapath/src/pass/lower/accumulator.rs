@@ -75,7 +75,7 @@ impl Lowering<'_> {
         let added = self.emit(at, Op::Select(first, start, step), range, "added");
         let width = value.range.width();
         // A piece has a carry on its left and a bit for one on its right.
-        let pieces = width.div_ceil(self.widest_sum - 2);
+        let pieces = width.div_ceil(self.widest_loop - 2);
         let op = self.pieces(at, (first, added), value.range, width.div_ceil(pieces));
         self.finished(Value { op, pace: Pace::Wire, together: None, ..value })
     }

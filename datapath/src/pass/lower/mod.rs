@@ -25,8 +25,10 @@ use accumulator::{Accumulator, accumulators, changing};
 /// known.
 pub fn lowered(graph: &Graph, target: &Target, mhz: f64) -> Graph {
     let Some(fabric) = &target.fabric else { return graph.clone() };
-    let widest_sum = fabric.widest_sum(1000.0 / mhz).unwrap_or(1).max(NARROWEST_PIECE);
-    let mut lowering = Lowering::new(graph, target, widest_sum);
+    let widest = |period| fabric.widest_sum(period).unwrap_or(1).max(NARROWEST_PIECE);
+    let period = 1000.0 / mhz;
+    let widest_sums = (widest(period), widest(period - fabric.net));
+    let mut lowering = Lowering::new(graph, target, widest_sums);
     let loops = loops(graph);
     let accumulators = accumulators(graph);
     // The rest of an accumulator's loop is no loop any more.
@@ -58,6 +60,8 @@ struct Lowering<'a> {
     pace: Pace,
     /// Most bits of a sum in one piece.
     widest_sum: u32,
+    /// Most bits of one in a loop, which goes to two registers.
+    widest_loop: u32,
     /// The new graph; its groups and real values are those of the old one until the end.
     graph: Graph,
     /// The new value of each old one.
@@ -78,7 +82,11 @@ struct Place<'a> {
 }
 
 impl<'a> Lowering<'a> {
-    fn new(from: &'a Graph, target: &'a Target, widest_sum: u32) -> Lowering<'a> {
+    fn new(
+        from: &'a Graph,
+        target: &'a Target,
+        (widest_sum, widest_loop): (u32, u32),
+    ) -> Lowering<'a> {
         let names = from.values.iter().map(|value| (value.scope, value.name.clone()));
         let instances =
             from.units.iter().filter_map(|unit| Some((unit.parent?, unit.instance.clone())));
@@ -90,6 +98,7 @@ impl<'a> Lowering<'a> {
             target,
             pace: Pace::Target,
             widest_sum,
+            widest_loop,
             names: names.chain(instances).chain(control).collect(),
             graph: Graph { values: vec![], ..from.clone() },
             new: vec![],

@@ -110,8 +110,11 @@ impl<'a> Paths<'a> {
 
     /// The way through a value.
     fn way(&self, value: &Value) -> Way {
-        if self.graph.is_state(value) {
-            return Way::Into(0.0);
+        match value.pace {
+            // What is added up goes to two registers, of which one is not beside the adder.
+            Pace::Cleared => return Way::Into(self.fabric.net),
+            Pace::Feedback | Pace::Held => return Way::Into(0.0),
+            _ => {}
         }
         let width = |id: NodeId| match self.graph.value(id).op {
             Op::Constant(0) => 0,
