@@ -10,11 +10,13 @@ pub struct Primitives {
     pub multiplier: Option<Cells>,
     /// Clocks of the shortest delay line that is a memory.
     pub shortest_memory: u32,
+    /// Clocks of the longest that is one memory; longer ones are several in a row.
+    pub longest_memory: u32,
 }
 
 impl Default for Primitives {
     fn default() -> Primitives {
-        Primitives { multiplier: None, shortest_memory: 33 }
+        Primitives { multiplier: None, shortest_memory: 33, longest_memory: u32::MAX }
     }
 }
 

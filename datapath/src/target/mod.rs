@@ -112,6 +112,8 @@ pub struct BlockPipeline {
 pub struct DelayLines {
     /// Clocks of the shortest delay that is a memory in look-up tables; without, it is flip-flops.
     pub shortest: Option<u32>,
+    /// Clocks of the longest that is one such memory; a longer one is several in a row.
+    pub longest: Option<u32>,
     /// From flip-flop to flip-flop through such a memory, nets included.
     pub read: Option<f64>,
 }
@@ -154,6 +156,7 @@ impl Target {
         Primitives {
             multiplier: self.multiplier.as_ref().and_then(|multiplier| multiplier.cells),
             shortest_memory: self.delay_line.shortest.unwrap_or(none.shortest_memory),
+            longest_memory: self.delay_line.longest.unwrap_or(none.longest_memory),
         }
     }
 

@@ -87,6 +87,7 @@ impl Delays {
         let bits = readers.rows(Register::Validity, |wire| readers.first_validity(wire));
         let mut names = Names::of(module);
         let shortest_memory = module.primitives().shortest_memory as usize;
+        let longest_memory = module.primitives().longest_memory as usize;
         let mut named = |rows: Vec<(u32, Vec<u32>)>, shortest: usize, suffix: &str| {
             let long = rows.into_iter().filter(|(_, stages)| stages.len() >= shortest);
             let line = |(input, stages): (u32, Vec<u32>)| {
@@ -96,6 +97,7 @@ impl Delays {
             };
             long.map(line).collect::<Vec<_>>()
         };
+        let data = data.into_iter().flat_map(|row| segments(row, longest_memory)).collect();
         let lines = named(data, SHORTEST, "delay");
         let validity = named(bits, 2, "line");
         let blocks = module.multipliers().iter().map(|block| {
@@ -121,6 +123,19 @@ impl Delays {
     pub fn contains(&self, wire: u32) -> bool {
         self.members.contains(&wire)
     }
+}
+
+/// A row of registers in parts of at most so many clocks, as long as each other as can be.
+fn segments((input, stages): (u32, Vec<u32>), longest: usize) -> Vec<(u32, Vec<u32>)> {
+    let parts = stages.len().div_ceil(longest);
+    let mut entering = input;
+    let chunks = stages.chunks(stages.len().div_ceil(parts));
+    let segment = |chunk: &[u32]| {
+        let from = entering;
+        entering = chunk.last().copied().unwrap_or(from);
+        (from, chunk.to_vec())
+    };
+    chunks.map(segment).collect()
 }
 
 /// The wires that are driven inside multiplier blocks.

@@ -1,7 +1,7 @@
 //! Comparisons: a < b where a - b is negative. A difference has one carry chain, of which the sign
 //! comes last; what synthesis makes of `<` has two, one behind the other.
 use super::{Lowering, place};
-use crate::design::{NodeId, Op};
+use crate::design::{NodeId, Op, Range};
 use crate::graph::Value;
 
 impl Lowering<'_> {
@@ -14,13 +14,23 @@ impl Lowering<'_> {
             return self.push(value);
         }
         let at = place(&value);
-        // A difference of signals is at most a bit wider than they are.
-        let Ok(range) = self.range(a).minus(self.range(b)).narrow() else {
+        // The sign has to be right for whatever bits stand there while no pixel does, so the
+        // difference is as wide as the operands ask for, a bit more than they are.
+        let [whole_a, whole_b] = [a, b].map(|id| self.whole(id));
+        let Ok(range) = whole_a.minus(whole_b).narrow() else {
             return self.push(value);
         };
         let difference = self.new_sum(at, Op::Sub(a, b), range, "difference");
         let zero = self.integer(at, 0);
         self.push(Value { op: Op::LessThan(difference, zero), ..value })
+    }
+}
+
+impl Lowering<'_> {
+    /// Every value of as many bits as a value has; a constant alone.
+    fn whole(&self, id: NodeId) -> Range {
+        let range = self.range(id);
+        range.only().map_or(Range::whole(range.width(), range.signed()), Range::single)
     }
 }
 
