@@ -9,7 +9,7 @@
 //! is asked for, and no unit counts its own registers.
 //!
 //! ```
-//! //! use specula_datapath::{Builder, Format, InputPort};
+//! use specula_datapath::{Builder, Format, InputPort};
 //!
 //! // A linear interpolation of bytes: a + t (b - a), rounded to a whole number.
 //! let builder = Builder::new("lerp", "a + t (b - a)");
