@@ -13,7 +13,7 @@
 //! The sum may be in pieces, each with a register of its own, a clock after the one on its right.
 use std::collections::HashMap;
 
-use super::{Lowering, Place, place};
+use super::{Lowering, Place, narrowed, place};
 use crate::design::{NodeId, Op, Range};
 use crate::graph::{Graph, GroupId, Pace, Value};
 
@@ -165,7 +165,7 @@ impl Lowering<'_> {
         let range = self.range(a).plus(self.range(b));
         let twice = self.emit(at, Op::Add(a, b), range, "twice_sum");
         // A sum of parts of a value that fits 63 bits.
-        let range = range.narrow().unwrap_or(Range::whole(63, true)).shifted_right(1);
+        let range = narrowed(range).shifted_right(1);
         self.emit(at, Op::ShiftRight(twice, 1), range, "sum")
     }
 }

@@ -1,7 +1,7 @@
 //! Products with constants as sums of shifted values, by signed digits: those of the canonical form,
 //! of which no two neighbours are there, and of which there are on average as many as a third of the
 //! constant's bits [Reitwiesner 1960].
-use super::{Lowering, Place};
+use super::{Lowering, Place, narrowed};
 use crate::design::{NodeId, Op, Range};
 
 /// A part of the sum: a value times 2^shift, added or subtracted.
@@ -65,8 +65,7 @@ impl Lowering<'_> {
             return Term { value, factor, shift, negative };
         }
         // A part of a product that fits 60 bits.
-        let range = self.range(variable).times(Range::single(factor));
-        let range = range.narrow().unwrap_or(Range::whole(63, true));
+        let range = narrowed(self.range(variable).times(Range::single(factor)));
         let value = self.new_sum(at, op, range, "digits");
         self.multiples.insert((at.scope, variable, factor), value);
         Term { value, factor, shift, negative }

@@ -176,10 +176,7 @@ impl<'a> Lowering<'a> {
 
     /// A new value, named after the one that it is a part of.
     fn emit(&mut self, at: Place, op: Op, range: impl Into<WideRange>, part: &str) -> NodeId {
-        let wide: WideRange = range.into();
-        // Parts of values that fit 63 bits fit them, and so do partial sums that a bit is added to.
-        let range = wide.narrow().expect("a part of a value");
-        let value = self.part(at, op, range, part);
+        let value = self.part(at, op, narrowed(range.into()), part);
         self.finished(value)
     }
 
@@ -288,4 +285,10 @@ impl<'a> Lowering<'a> {
 /// The place of a value's parts.
 fn place(value: &Value) -> Place<'_> {
     Place { scope: value.scope, name: &value.name, fraction_bits: value.fraction_bits }
+}
+
+/// The range of a part of a value. A value fits 63 bits, and parts of it do; of one that did not, the
+/// low bits would be those that the value needs.
+fn narrowed(range: WideRange) -> Range {
+    range.narrow().unwrap_or(Range::whole(WIDEST_SIGNAL, true))
 }

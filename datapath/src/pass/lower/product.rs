@@ -10,8 +10,8 @@
 //!
 //! A part of one or two bits is no product but a choice.
 use super::constant::digits;
-use super::{Lowering, Place, place};
-use crate::design::{NodeId, Op, Range, WideRange};
+use super::{Lowering, Place, narrowed, place};
+use crate::design::{NodeId, Op, Range};
 use crate::graph::Value;
 use crate::target::Multiplier;
 
@@ -131,7 +131,7 @@ impl Lowering<'_> {
         let low = self.low(at, a, cut);
         let high = self.high(at, a, cut);
         let parts = [low, high].map(|part| {
-            let shape = self.narrowed(self.range(part).times(self.range(b)));
+            let shape = narrowed(self.range(part).times(self.range(b)));
             let op = self.multiplied(at, [part, b], shape);
             self.emit(at, op, shape, "tile")
         });
@@ -147,9 +147,9 @@ impl Lowering<'_> {
         let parts = [(low, low, 0), (low, high, cut + 1), (high, high, 2 * cut)];
         let parts = parts.map(|(first, second, shift)| {
             let shape = if first == second {
-                self.narrowed(self.range(first).squared())
+                narrowed(self.range(first).squared())
             } else {
-                self.narrowed(self.range(first).times(self.range(second)))
+                narrowed(self.range(first).times(self.range(second)))
             };
             let op = self.multiplied(at, [first, second], shape);
             (shift, self.emit(at, op, shape, "tile"))
@@ -175,13 +175,8 @@ impl Lowering<'_> {
     fn pair(&mut self, at: Place, pair: &[(u32, NodeId)], range: Option<Range>) -> (u32, NodeId) {
         let [(low_shift, low), (high_shift, high)] = *pair else { return pair[0] };
         let shifted = self.shifted(at, high, high_shift - low_shift);
-        let sum = self.narrowed(self.range(low).plus(self.range(shifted)));
+        let sum = narrowed(self.range(low).plus(self.range(shifted)));
         let range = range.filter(|_| low_shift == 0).unwrap_or(sum);
         (low_shift, self.new_sum(at, Op::Add(low, shifted), range, "tiles"))
-    }
-
-    /// A range that fits 63 bits, as those of products' parts do.
-    fn narrowed(&self, range: WideRange) -> Range {
-        range.narrow().unwrap_or(Range::whole(63, true))
     }
 }
