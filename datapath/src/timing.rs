@@ -49,6 +49,8 @@ struct Analysis<'a> {
     fabric: &'a Fabric,
     /// What a multiplier block is of a signal, if it belongs to one.
     parts: Vec<Option<Part>>,
+    /// Whether a signal is a choice that a sum makes itself.
+    gates: Vec<bool>,
     arrivals: Vec<f64>,
     /// The operand that comes last.
     before: Vec<Option<NodeId>>,
@@ -77,7 +79,8 @@ impl<'a> Analysis<'a> {
         }
         let count = design.nodes.len();
         let (arrivals, before) = (vec![0.0; count], vec![None; count]);
-        Analysis { design, target, fabric, parts, arrivals, before }
+        let gates = gates(design);
+        Analysis { design, target, fabric, parts, gates, arrivals, before }
     }
 
     fn slowest(mut self) -> Timing {
@@ -148,7 +151,7 @@ impl<'a> Analysis<'a> {
             (_, Some(_)) => 0.0,
             // The register of an accumulator is not beside the adder: another has the sum too.
             _ if self.is_control(id, node) && node.registered() => self.fabric.net,
-            _ if self.is_control(id, node) => 0.0,
+            _ if self.is_control(id, node) || self.gates[id.0 as usize] => 0.0,
             _ => self.operator(node),
         };
         (arrival + delay, last)
@@ -204,6 +207,31 @@ impl<'a> Analysis<'a> {
         let all = self.design.iter().filter(|(_, node)| computed(node) && wanted(node));
         all.map(|(id, _)| id).collect()
     }
+}
+
+/// Which signals are choices that the sums which read them make themselves: what they choose
+/// from is 0, and they are the first summand.
+fn gates(design: &Design) -> Vec<bool> {
+    let mut gates = vec![false; design.nodes.len()];
+    if design.primitives.gated_sum.is_none() {
+        return gates;
+    }
+    for (id, node) in design.iter().filter(|(_, node)| !node.registered()) {
+        if let Op::Select(_, zero, kept) = node.op {
+            let kept = design.node(kept);
+            let same = (kept.width(), kept.range.signed()) == (node.width(), node.range.signed());
+            gates[id.0 as usize] = same && design.node(zero).op == Op::Constant(0);
+        }
+    }
+    for (_, node) in design.iter() {
+        let first = match node.op {
+            Op::Add(first, second) if !node.registered() && first != second => Some(first),
+            _ => None,
+        };
+        let others = node.op.operands().filter(|&operand| Some(operand) != first);
+        others.for_each(|operand| gates[operand.0 as usize] = false);
+    }
+    gates
 }
 
 /// The signals from where a path begins to its end, by the operand of each that comes last.

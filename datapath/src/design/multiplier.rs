@@ -1,6 +1,6 @@
 //! Products in the multiplier blocks of a device, with the registers that blocks have inside.
 use super::NodeId;
-use crate::target::Cells;
+use crate::target::{Cells, SumCells};
 
 /// What Verilog makes of parts of a design that a device has cells for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -8,6 +8,9 @@ pub struct Primitives {
     /// The cells that products in multiplier blocks are instances of; without, they are `*` and
     /// the registers around it, which tools take into their blocks.
     pub multiplier: Option<Cells>,
+    /// The cells of sums of which one summand may be cleared; without, that is a choice before the
+    /// sum.
+    pub gated_sum: Option<SumCells>,
     /// Clocks of the shortest delay line that is a memory.
     pub shortest_memory: u32,
     /// Clocks of the longest that is one memory; longer ones are several in a row.
@@ -16,7 +19,12 @@ pub struct Primitives {
 
 impl Default for Primitives {
     fn default() -> Primitives {
-        Primitives { multiplier: None, shortest_memory: 33, longest_memory: u32::MAX }
+        Primitives {
+            multiplier: None,
+            gated_sum: None,
+            shortest_memory: 33,
+            longest_memory: u32::MAX,
+        }
     }
 }
 

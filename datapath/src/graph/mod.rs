@@ -28,6 +28,12 @@ pub enum Pace {
     /// It is a register of a loop that is 0 for a pixel whose bit, the first operand of its choice,
     /// is 1: it is cleared a clock before. For the others it has what the pixel before gave.
     Cleared,
+    /// It is a choice without a register that the adders which read it make themselves, for a target
+    /// whose carry chains can clear a summand.
+    Gate,
+    /// It is no operator: what a register of a loop has a clock after its pixel, which belongs to
+    /// that pixel then.
+    After,
     /// It is a register that takes its value over with a valid pixel only, and holds it else.
     Held,
     /// It has no register, and what it gives is what a register that holds its value will have in

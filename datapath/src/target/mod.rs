@@ -23,6 +23,9 @@ pub struct Target {
     pub measured: String,
     /// Delays of the fabric; a target without them can be asked for no clock.
     pub fabric: Option<Fabric>,
+    /// The cells with which a carry chain clears a summand without a look-up table before it, if
+    /// there are any.
+    pub gated_sum: Option<SumCells>,
     /// Its multiplier blocks, if it has any.
     pub multiplier: Option<Multiplier>,
     /// Its block RAM, if it has any.
@@ -77,6 +80,14 @@ pub enum Cells {
     Ecp5,
     /// `SB_MAC16`.
     Ice40up,
+}
+
+/// Cells of sums of which one summand may be cleared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum SumCells {
+    /// `CCU2C`.
+    Ecp5,
 }
 
 /// A block RAM.
@@ -155,6 +166,7 @@ impl Target {
         let none = Primitives::default();
         Primitives {
             multiplier: self.multiplier.as_ref().and_then(|multiplier| multiplier.cells),
+            gated_sum: self.gated_sum,
             shortest_memory: self.delay_line.shortest.unwrap_or(none.shortest_memory),
             longest_memory: self.delay_line.longest.unwrap_or(none.longest_memory),
         }

@@ -1,6 +1,7 @@
 //! Registers that only delay: which of a module's form lines, and what such a line is called.
 use std::collections::{HashMap, HashSet};
 
+use super::gated_sum_modules::GatedSum;
 use crate::block::{AtomKind, Cell, Module};
 use crate::design::{MultiplierBlock, NodeId, Op, Register};
 use crate::names::first_taken;
@@ -75,8 +76,10 @@ pub struct Delays {
     members: HashSet<u32>,
     /// What is inside multiplier blocks.
     in_blocks: HashSet<u32>,
-    /// Names of the instances of multiplier blocks, by the wires that leave them.
+    /// Names of the instances of multiplier blocks and sums, by the wires that leave them.
     blocks: HashMap<NodeId, String>,
+    /// Sums that are instances of their own.
+    pub gated_sums: Vec<GatedSum>,
 }
 
 impl Delays {
@@ -100,13 +103,17 @@ impl Delays {
         let data = data.into_iter().flat_map(|row| segments(row, longest_memory)).collect();
         let lines = named(data, SHORTEST, "delay");
         let validity = named(bits, 2, "line");
-        let blocks = module.multipliers().iter().map(|block| {
-            let product = &module.wires()[block.product.0 as usize].wire_type().name;
-            (block.product, names.unique(&format!("{product}_block")))
+        let gated_sums = GatedSum::all(module);
+        let products = module.multipliers().iter().map(|block| block.product);
+        let sums = gated_sums.iter().map(|of| NodeId(of.sum));
+        let blocks = products.chain(sums).map(|result| {
+            let name = &module.wires()[result.0 as usize].wire_type().name;
+            (result, names.unique(&format!("{name}_block")))
         });
         let blocks = blocks.collect();
         let members = lines.iter().chain(&validity).flat_map(|l| l.stages.clone()).collect();
-        Delays { lines, validity, members, in_blocks: inside_blocks(module), blocks }
+        let in_blocks = inside_blocks(module);
+        Delays { lines, validity, members, in_blocks, blocks, gated_sums }
     }
 
     /// Whether this wire is driven inside a multiplier block.
@@ -114,9 +121,14 @@ impl Delays {
         self.in_blocks.contains(&wire)
     }
 
-    /// The name of the instance of a multiplier block.
-    pub fn block_name(&self, block: &MultiplierBlock) -> &str {
-        self.blocks.get(&block.product).map_or("", String::as_str)
+    /// The name of the instance that a product or sum leaves.
+    pub fn block_name(&self, result: NodeId) -> &str {
+        self.blocks.get(&result).map_or("", String::as_str)
+    }
+
+    /// Whether this wire is the sum of an instance.
+    pub fn is_gated_sum(&self, wire: u32) -> bool {
+        self.blocks.contains_key(&NodeId(wire)) && !self.in_block(wire)
     }
 
     /// Whether the register of this wire is part of a line.

@@ -2,9 +2,11 @@
 use super::LongDelays;
 use super::delay_modules::DelayModules;
 use super::delays::Delays;
+use super::gated_sum_modules::{self, GatedSum};
 use super::module::{self, Instantiated};
 use super::multiplier_modules::{self, MultiplierModules};
 use crate::block::Module;
+use crate::target::SumCells;
 
 /// Stands for the module's name while texts are compared; no name can contain it.
 const PLACEHOLDER: &str = "\u{0}";
@@ -32,6 +34,8 @@ pub struct Library {
     modules: Vec<Printed>,
     delays: DelayModules,
     multipliers: MultiplierModules,
+    /// The cells of sums of which one summand may be cleared, if there is one.
+    gated_sums: Option<SumCells>,
     long_delays: LongDelays,
 }
 
@@ -43,6 +47,7 @@ impl Library {
             modules: vec![],
             delays: DelayModules::new(prefix),
             multipliers: MultiplierModules::new(prefix),
+            gated_sums: None,
             long_delays,
         }
     }
@@ -64,7 +69,8 @@ impl Library {
         let number = self.modules.iter().filter(|m| m.unit == module.unit).count()
             + usize::from(
                 DelayModules::is_named_as(&module.unit)
-                    || multiplier_modules::is_named_as(&module.unit),
+                    || multiplier_modules::is_named_as(&module.unit)
+                    || module.unit == gated_sum_modules::UNIT,
             );
         let base = format!("{}_{}", self.prefix, module.unit);
         let name = if number == 0 { base } else { format!("{base}_{}", number + 1) };
@@ -89,15 +95,26 @@ impl Library {
         if let (Some(cells), [_, ..]) = (module.primitives().multiplier, module.multipliers()) {
             self.multipliers.note(cells);
         }
+        if let (Some(cells), [_, ..]) = (module.primitives().gated_sum, &GatedSum::all(module)[..])
+        {
+            self.gated_sums = Some(cells);
+        }
         let names = self.names(&children);
         let (delays, multipliers) = (&self.delays, &self.multipliers);
-        let instantiated = Instantiated { children: &names, delays, multipliers };
+        let gated_sum = &self.gated_sum_name();
+        let instantiated = Instantiated { children: &names, delays, multipliers, gated_sum };
         (module::text(module, name, &instantiated, self.long_delays), children)
     }
 
-    /// The modules that delay lines and products are instances of, those that are instantiated.
+    /// The modules that delay lines, products and sums are instances of, those that are instantiated.
     pub fn primitive_modules(&self) -> impl Iterator<Item = String> {
-        self.delays.sources().chain(self.multipliers.sources())
+        let sum = |cells| gated_sum_modules::source(&self.gated_sum_name(), cells);
+        let gated_sums = self.gated_sums.into_iter().map(sum);
+        self.delays.sources().chain(self.multipliers.sources()).chain(gated_sums)
+    }
+
+    fn gated_sum_name(&self) -> String {
+        format!("{}_{}", self.prefix, gated_sum_modules::UNIT)
     }
 
     /// Names of the modules in these places.

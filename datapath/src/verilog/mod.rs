@@ -3,6 +3,7 @@
 mod counted;
 mod delay_modules;
 mod delays;
+mod gated_sum_modules;
 mod library;
 mod module;
 mod multiplier_modules;

@@ -3,11 +3,12 @@ use std::fmt::Write;
 
 use super::delay_modules::DelayModules;
 use super::delays::{DelayLine, Delays};
+use super::gated_sum_modules::GatedSum;
 use super::multiplier_modules::{Factor, MultiplierModules};
 use super::unread::unread_bits;
 use super::{LongDelays, Nets};
 use crate::block::{AtomKind, Cell, Module, Wire, WireType};
-use crate::design::{Op, Register};
+use crate::design::{NodeId, Op, Register};
 
 /// Names of the modules that a module instantiates.
 pub struct Instantiated<'a> {
@@ -17,6 +18,8 @@ pub struct Instantiated<'a> {
     pub delays: &'a DelayModules,
     /// Those of products in multiplier blocks.
     pub multipliers: &'a MultiplierModules,
+    /// That of sums of which one summand may be cleared.
+    pub gated_sum: &'a str,
 }
 
 /// The module called `name`.
@@ -38,6 +41,7 @@ pub fn text(
     writer.data_registers(&mut out);
     writer.delay_lines(instantiated.delays, long_delays, &mut out);
     writer.multipliers(instantiated.multipliers, &mut out);
+    writer.gated_sums(instantiated.gated_sum, &mut out);
     writer.validity_registers(&mut out);
     writer.instances(instantiated.children, &mut out);
     let unread = unread_bits(module, &nets);
@@ -220,7 +224,8 @@ impl<'a> Writer<'a> {
         let of_children =
             self.module.children().iter().flat_map(|child| child.outputs.iter().map(|pair| pair.1));
         let of_blocks = self.module.multipliers().iter().map(|block| block.product.0);
-        let driven = of_lines.chain(of_children).chain(of_blocks);
+        let of_sums = self.delays.gated_sums.iter().map(|of| of.sum);
+        let driven = of_lines.chain(of_children).chain(of_blocks).chain(of_sums);
         for wire in driven.filter(|&wire| self.is_local(wire)) {
             let about = self.wire(wire);
             let _ = writeln!(out, "  {};  // {}", declaration("wire", about), about.format);
@@ -249,7 +254,8 @@ impl<'a> Writer<'a> {
     fn gates(&self, out: &mut String) {
         let is_gate =
             |cell: &&Cell| cell.register == Register::None && cell.op.constant().is_none();
-        for cell in self.cells().filter(is_gate) {
+        let printed = |cell: &&Cell| is_gate(cell) && !self.delays.is_gated_sum(cell.wire);
+        for cell in self.cells().filter(printed) {
             let about = self.wire(cell.wire);
             if is_table(cell) {
                 let _ =
@@ -318,10 +324,23 @@ impl<'a> Writer<'a> {
             let product = self.wire(block.product.0);
             let kind = modules.instantiated(block, shapes, product.width);
             let [a, b] = block.factors.map(|factor| self.nets.value(factor));
-            let (name, product) = (self.delays.block_name(block), &product.name);
+            let (name, product) = (self.delays.block_name(block.product), &product.name);
             let _ = writeln!(
                 out,
                 "\n  {kind} {name} (\n    .clock(clock), .a({a}), .b({b}), .p({product})\n  );"
+            );
+        }
+    }
+
+    fn gated_sums(&self, kind: &str, out: &mut String) {
+        for &GatedSum { sum, clear, kept, gated, added } in &self.delays.gated_sums {
+            let (name, width) = (self.delays.block_name(NodeId(sum)), self.wire(sum).width);
+            let [a, gated, b] = [kept, gated, added].map(|id| self.nets.extended(id, width));
+            let (clear, sum) = (self.nets.value(clear), self.nets.name(sum));
+            let _ = writeln!(
+                out,
+                "\n  {kind} #(.WIDTH({width})) {name} (\n    .clear({clear}), .a({a}), \
+                 .gated_a({gated}), .b({b}), .s({sum})\n  );"
             );
         }
     }

@@ -42,7 +42,11 @@ impl<'a> Nets<'a> {
 
     /// A wire, or the constant that it carries, as an expression of the wire's width.
     pub fn value(&self, wire: NodeId) -> String {
-        let width = self.module.wires()[wire.0 as usize].wire_type().width;
+        self.extended(wire, self.module.wires()[wire.0 as usize].wire_type().width)
+    }
+
+    /// A wire, or the constant that it carries, as an expression of so many bits.
+    pub fn extended(&self, wire: NodeId, width: u32) -> String {
         statement::expression(crate::design::Op::Copy(wire), width, &|id| self.operand(id))
     }
 

@@ -53,7 +53,7 @@ fn add(module: &Module, path: &[String], places: &mut HashMap<NodeId, Place>) {
     }
     for block in module.multipliers() {
         for (wire, scope, net) in places_inside(block) {
-            let path = inner(&inner(path, delays.block_name(block)), scope);
+            let path = inner(&inner(path, delays.block_name(block.product)), scope);
             place(wire.0, &path, net, 0);
         }
     }

@@ -4,6 +4,9 @@ use super::circuit::{CELL, Pipeline, register};
 /// Cells that a family is measured with.
 #[derive(Clone, Copy, Debug)]
 pub struct Family {
+    /// Look-up tables in a row that are measured: as many as there are between registers at clocks
+    /// that the family is asked for.
+    pub depths: &'static [u32],
     /// The multiplier block, if it has one.
     pub multiplier: Option<Multiplier>,
     /// The block RAM.
@@ -49,12 +52,14 @@ impl Family {
             registers: &[0, 1, 2, 3],
         }),
         memory: Memory { width: 18, address: 10, has_output_register: true, instance: dp16kd },
+        depths: &[1, 2],
         has_distributed_memory: true,
     };
     /// Lattice's iCE40 HX.
     pub const ICE40_HX: Family = Family {
         multiplier: None,
         memory: Memory { width: 16, address: 8, has_output_register: false, instance: sb_ram40 },
+        depths: &[1, 2, 4],
         has_distributed_memory: false,
     };
     /// Lattice's iCE40 UltraPlus. nextpnr times its block as if it had every register.
@@ -76,6 +81,7 @@ impl Family {
             registers: &[0, 1, 2, 3],
         }),
         memory: Memory { width: 16, address: 10, has_output_register: true, instance: prom },
+        depths: &[1, 2, 4],
         has_distributed_memory: true,
     };
 }

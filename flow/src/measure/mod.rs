@@ -18,8 +18,6 @@ use fit::{Line, median};
 use route::{Arrivals, Laboratory};
 pub use table::text;
 
-/// Look-up tables in a row that are measured.
-const DEPTHS: [u32; 3] = [1, 2, 4];
 /// Widths of sums that are measured, in bits.
 const WIDTHS: [u32; 4] = [8, 16, 32, 48];
 
@@ -86,7 +84,7 @@ pub fn measure(
     watch: &dyn Fn(&str, f64),
 ) -> Result<Delays, SynthError> {
     let bench = Bench { laboratory: Laboratory::new(target, seeds)?, watch };
-    let gates = bench.sweep(Operator::Gates, &DEPTHS)?;
+    let gates = bench.sweep(Operator::Gates, family.depths)?;
     let sums = bench.sweep(Operator::Sum, &WIDTHS)?;
     let multiplier = family.multiplier.iter().flat_map(|block| {
         block.registers.iter().map(|&used| bench.cell(&block.circuit(used), used))

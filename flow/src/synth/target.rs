@@ -27,7 +27,7 @@ pub struct SynthTarget {
 }
 
 impl SynthTarget {
-    /// The largest ECP5, of the fastest speed grade.
+    /// The largest ECP5, of the slowest speed grade.
     pub const ECP5: SynthTarget = SynthTarget {
         name: "ecp5",
         device: "LFE5U-85F-6 CABGA756",

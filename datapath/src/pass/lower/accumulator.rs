@@ -10,9 +10,17 @@
 //!                                      added(p)  = start(p) or step(p - 1)
 //! ```
 //!
+//! Where the target's carry chains can clear a summand, the adder does so itself, and the register is
+//! the only one that the sum goes to:
+//!
+//! ```text
+//! value(p) = (0 for the first pixel, else value(p - 1)) + added(p)
+//! ```
+//!
 //! The sum may be in pieces, each with a register of its own, a clock after the one on its right.
 use std::collections::HashMap;
 
+use super::interval::contains;
 use super::{Lowering, Place, narrowed, place};
 use crate::design::{NodeId, Op, Range};
 use crate::graph::{Graph, GroupId, Pace, Value};
@@ -115,7 +123,14 @@ impl Lowering<'_> {
             } else {
                 Range::whole(bits, false)
             };
-            let part = if last { rest } else { self.low(at, rest, bits) };
+            // What the last piece does not keep, its adder need not have.
+            let part = if !last {
+                self.low(at, rest, bits)
+            } else if contains(shape, self.range(rest)) {
+                rest
+            } else {
+                self.emit(at, Op::Wrap(rest), shape, "low")
+            };
             let (sum, piece) = self.piece(at, first, (part, carry), shape);
             let joined = match done {
                 None => piece,
@@ -136,6 +151,64 @@ impl Lowering<'_> {
 
     /// One piece: the sum with its carry, and what of it goes round.
     fn piece(
+        &mut self,
+        at: Place,
+        first: NodeId,
+        summand: (NodeId, NodeId),
+        shape: Range,
+    ) -> (NodeId, NodeId) {
+        match self.target.gated_sum {
+            Some(_) => self.gated_piece(at, first, summand, shape),
+            None => self.cleared_piece(at, first, summand, shape),
+        }
+    }
+
+    /// A piece whose adder clears what the pixel before gave.
+    fn gated_piece(
+        &mut self,
+        at: Place,
+        first: NodeId,
+        (added, carry): (NodeId, NodeId),
+        shape: Range,
+    ) -> (NodeId, NodeId) {
+        let zero = self.integer(at, 0);
+        let held = self.emit(at, Op::Copy(zero), shape.hull(Range::single(0)), "held");
+        self.kept(held, Pace::Feedback);
+        let is_first_piece = self.constant(carry) == Some(0);
+        // The bit beside the carry is cleared too: no piece of a first pixel gives a carry, since 0
+        // is added to.
+        let one = self.integer(at, 1);
+        let [before, added] = if is_first_piece {
+            [held, added]
+        } else {
+            [(held, one), (added, carry)].map(|(id, bit)| self.with_bit(at, id, bit))
+        };
+        let range = self.range(before).hull(Range::single(0));
+        let gated = self.emit(at, Op::Select(first, zero, before), range, "before");
+        self.paced(gated, Pace::Gate);
+        let range = self.range(gated).plus(self.range(added));
+        let sum = self.emit(at, Op::Add(gated, added), range, "sum");
+        let sum = if is_first_piece {
+            sum
+        } else {
+            // A sum of parts of a value that fits 63 bits.
+            let range = narrowed(range).shifted_right(1);
+            self.emit(at, Op::ShiftRight(sum, 1), range, "high")
+        };
+        let next = self.emit(at, Op::Wrap(sum), shape, "next");
+        self.graph.values[held.0 as usize].op = Op::Copy(next);
+        let piece = self.emit(at, Op::Copy(held), self.range(held), "piece");
+        self.paced(piece, Pace::After);
+        (sum, piece)
+    }
+
+    /// Says how a new value is clocked.
+    fn paced(&mut self, id: NodeId, pace: Pace) {
+        self.graph.values[id.0 as usize].pace = pace;
+    }
+
+    /// A piece whose register is cleared for a first pixel.
+    fn cleared_piece(
         &mut self,
         at: Place,
         first: NodeId,

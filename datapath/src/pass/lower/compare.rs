@@ -1,6 +1,6 @@
 //! Comparisons: a < b where a - b is negative. A difference has one carry chain, of which the sign
 //! comes last; what synthesis makes of `<` has two, one behind the other.
-use super::{Lowering, place};
+use super::{Lowering, Place, place};
 use crate::design::{NodeId, Op, Range};
 use crate::graph::Value;
 
@@ -10,10 +10,15 @@ impl Lowering<'_> {
         // The sign of one operand, or any bit of the other.
         let is_zero = |id| self.constant(id) == Some(0);
         let with_zero = is_zero(b) || is_zero(a) && self.range(b).low >= 0;
+        let at = place(&value);
+        if is_zero(a) && self.range(b).low >= 0 && self.range(b).width() > TWO_LEVELS {
+            let parts = [self.low(at, b, TWO_LEVELS), self.high(at, b, TWO_LEVELS)];
+            let [low, high] = parts.map(|part| self.any(at, a, part));
+            return self.push(Value { op: Op::Or(low, high), ..value });
+        }
         if with_zero || self.range(a).width().max(self.range(b).width()) <= NARROW {
             return self.push(value);
         }
-        let at = place(&value);
         // The sign has to be right for whatever bits stand there while no pixel does, so the
         // difference is as wide as the operands ask for, a bit more than they are.
         let [whole_a, whole_b] = [a, b].map(|id| self.whole(id));
@@ -27,6 +32,17 @@ impl Lowering<'_> {
 }
 
 impl Lowering<'_> {
+    /// Whether any bit of a value without sign is 1, in parts of a few look-up tables.
+    fn any(&mut self, at: Place, zero: NodeId, id: NodeId) -> NodeId {
+        let range = Range::new(0, 1);
+        if self.range(id).width() <= TWO_LEVELS {
+            return self.emit(at, Op::LessThan(zero, id), range, "any");
+        }
+        let parts = [self.low(at, id, TWO_LEVELS), self.high(at, id, TWO_LEVELS)];
+        let [low, high] = parts.map(|part| self.any(at, zero, part));
+        self.emit(at, Op::Or(low, high), range, "any")
+    }
+
     /// Every value of as many bits as a value has; a constant alone.
     fn whole(&self, id: NodeId) -> Range {
         let range = self.range(id);
@@ -36,3 +52,5 @@ impl Lowering<'_> {
 
 /// Bits up to which a comparison is a few look-up tables.
 const NARROW: u32 = 2;
+/// Bits of which two look-up tables in a row see whether any is 1.
+const TWO_LEVELS: u32 = 16;

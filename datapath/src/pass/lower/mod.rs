@@ -27,7 +27,9 @@ pub fn lowered(graph: &Graph, target: &Target, mhz: f64) -> Graph {
     let Some(fabric) = &target.fabric else { return graph.clone() };
     let widest = |period| fabric.widest_sum(period).unwrap_or(1).max(NARROWEST_PIECE);
     let period = 1000.0 / mhz;
-    let widest_sums = (widest(period), widest(period - fabric.net));
+    // Without a gate before it, the sum of a loop goes to two registers.
+    let in_loop = if target.gated_sum.is_some() { period } else { period - fabric.net };
+    let widest_sums = (widest(period), widest(in_loop));
     let mut lowering = Lowering::new(graph, target, widest_sums);
     let loops = loops(graph);
     let accumulators = accumulators(graph);
@@ -60,7 +62,7 @@ struct Lowering<'a> {
     pace: Pace,
     /// Most bits of a sum in one piece.
     widest_sum: u32,
-    /// Most bits of one in a loop, which goes to two registers.
+    /// Most bits of one in a loop.
     widest_loop: u32,
     /// The new graph; its groups and real values are those of the old one until the end.
     graph: Graph,

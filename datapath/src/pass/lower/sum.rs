@@ -49,13 +49,20 @@ impl Lowering<'_> {
             // The second operand has no bits that the result has.
             _ => return Op::Wrap(a),
         }
-        let width = range.width();
+        // An operator has the bits of all that its operands allow, also those that are dropped.
+        let whole = self.interval(op).and_then(|whole| whole.narrow().ok());
+        let width = whole.map_or(range.width(), |whole| whole.width().max(range.width()));
         if width <= self.widest_sum {
             return op;
         }
         // A piece has a carry on its left, and the next one a bit for it on its right.
         let pieces = width.div_ceil(self.widest_sum - 1);
-        self.in_two(at, [a, b], is_sum, range, width.div_ceil(pieces))
+        let bits = width.div_ceil(pieces);
+        // A high piece would be dropped altogether.
+        if bits >= range.width() {
+            return op;
+        }
+        self.in_two(at, [a, b], is_sum, range, bits)
     }
 
     /// The low `bits` of the first operand pass, since the second has none there.

@@ -15,10 +15,10 @@ pub fn schedule(graph: &Graph) -> Schedule {
                 let registers = registers_after(&value.op);
                 (registers, registers)
             }
-            Pace::Wire | Pace::Meet => (0, 0),
+            Pace::Wire | Pace::Gate | Pace::Meet => (0, 0),
             Pace::Register | Pace::Held => (1, 1),
             Pace::Feedback | Pace::Cleared => (0, 1),
-            Pace::Ahead => (1, 0),
+            Pace::Ahead | Pace::After => (1, 0),
         };
         schedule.taken.push(taken);
         schedule.stages.push(taken + clocks);

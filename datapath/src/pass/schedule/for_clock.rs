@@ -112,9 +112,10 @@ impl<'a> Programme<'a> {
     /// Clocks from a value's operands to the value.
     fn clocks(&self, value: &Value) -> i64 {
         match value.pace {
-            Pace::Held | Pace::Ahead => 1,
+            Pace::Held | Pace::Ahead | Pace::After => 1,
             Pace::Target => self.paths.block_registers(value).into(),
-            Pace::Wire | Pace::Meet | Pace::Register | Pace::Feedback | Pace::Cleared => 0,
+            Pace::Wire | Pace::Gate | Pace::Meet | Pace::Register => 0,
+            Pace::Feedback | Pace::Cleared => 0,
         }
     }
 
@@ -221,7 +222,8 @@ impl<'a> Programme<'a> {
             };
             // A register takes an operator's result at once where all who read it do so later.
             let late = self.paths.readers(id).iter().all(|reader| read_at(reader) > there);
-            let merges = !self.is_port(value) && value.pace != Pace::Ahead && late;
+            let is_alias = matches!(value.pace, Pace::Ahead | Pace::After);
+            let merges = !self.is_port(value) && !is_alias && late;
             let (stage, registers) = match value.pace {
                 Pace::Held => (there, 1),
                 Pace::Feedback | Pace::Cleared => (there, 1),
