@@ -44,9 +44,11 @@ pub fn files(core: &StreamCore, frames: &[FrameVectors], command: &str) -> Vec<F
     if core.has_frame_inputs() {
         files.push(file("_registers.hex", vectors.registers()));
     }
+    files.extend(constraints(core));
     let plain =
         |name: &str, template: &str| File { name: name.to_owned(), text: values.fill(template) };
     files.push(plain("README.md", include_str!("templates/README.md")));
+    files.push(file(".core", values.fill(include_str!("templates/fusesoc.core"))));
     files.push(plain("Makefile", include_str!("templates/Makefile")));
     files
 }
@@ -58,7 +60,8 @@ fn values(core: &StreamCore, vectors: &Vectors, frames: usize, command: &str) ->
     bench::values(core, vectors, frames, &mut values);
     values.set("VERSION_TEXT", env!("CARGO_PKG_VERSION"));
     values.set("COMMAND", command);
-    values.set("FULL_SPEED", core.words() + 1);
+    values.set("YOSYS_ARCH", yosys_arch(core));
+    values.set("FULL_SPEED", (core.words() + 1).div_ceil(core.design.interval));
     values.set("REGISTER_TABLE", register_table(core));
     let registers = core.has_frame_inputs();
     values.set(
@@ -73,6 +76,35 @@ fn values(core: &StreamCore, vectors: &Vectors, frames: usize, command: &str) ->
     values.set("FRAME_RULES", if registers { FRAME_RULES } else { NO_FRAME_RULES });
     values.set("REGS_ABOUT", if registers { regs } else { "" });
     values
+}
+
+/// The clock that the core was made for, in the format of its target's tools, if it has one that such
+/// a file is known for.
+fn constraints(core: &StreamCore) -> Option<File> {
+    let target = core.spec.target.as_ref()?;
+    let (version, name, mhz) = (env!("CARGO_PKG_VERSION"), core.name(), target.clock_mhz);
+    let about = format!("# Specula {version}: the clock of {name}_ip.\n");
+    let create = || {
+        let period = 1e3 / mhz;
+        format!("create_clock -name aclk -period {period:.3} [get_ports aclk]\n")
+    };
+    let (suffix, clock) = match target.name.as_str() {
+        "ecp5" => (".lpf", format!("FREQUENCY PORT \"aclk\" {mhz} MHZ;\n")),
+        "xilinx7" => (".xdc", create()),
+        "gowin" => (".sdc", create()),
+        _ => return None,
+    };
+    Some(File { name: format!("{name}{suffix}"), text: about + &clock })
+}
+
+/// Yosys's name for the family of the core's target; a core for any device is tried on an ECP5.
+fn yosys_arch(core: &StreamCore) -> &'static str {
+    match core.spec.target.as_ref().map(|target| target.name.as_str()) {
+        Some("xilinx7") => "xilinx",
+        Some("gowin") => "gowin",
+        Some(name) if name.starts_with("ice40") => "ice40",
+        _ => "ecp5",
+    }
 }
 
 const FRAME_RULES: &str = "\

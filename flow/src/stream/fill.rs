@@ -32,16 +32,13 @@ fn streams(core: &StreamCore, values: &mut Values) {
     values.set("HEADER_BITS", header_bits);
     values.set("LONGEST", core.spec.parameters.longest_span);
     values.set("PIXEL_TOP", core.pixel_bits() - 1);
+    values.set("TAG_BITS", core.tag_bits());
     values.set("TAG_TOP", core.tag_bits() - 1);
     values.set("LOG2_DEPTH", core.log2_depth());
     values.set("DEPTH_NEEDED", core.depth_needed());
     values.set(
         "POSITION_ABOUT",
         if positions { ",\n// its column in 24 to 39, its row in 40 to 55" } else { "" },
-    );
-    values.set(
-        "HEADER_WORD",
-        if words == 1 { "word[16:0]" } else { "at[0] ? word[16:0] : packet[16:0]" },
     );
     let take = |place: u32| {
         let (low, high) = (place * word, bits.min((place + 1) * word) - 1);

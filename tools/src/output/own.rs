@@ -88,6 +88,8 @@ fn begins_like_ours(name: &str, path: &Path) -> bool {
         SpecFile::NAME => begins(SpecFile::ABOUT),
         _ if is_journal(name) => read().is_ok_and(|bytes| Journal::has_written(&bytes)),
         "Makefile" => begins("# Specula "),
+        _ if [".lpf", ".xdc", ".sdc"].iter().any(|end| name.ends_with(end)) => begins("# Specula "),
+        _ if name.ends_with(".core") => begins("CAPI=2:\n# Specula "),
         _ if name.ends_with(".md") => begins("<!-- Specula "),
         _ if [".v", ".h", ".rdl", ".hex"].iter().any(|end| name.ends_with(end)) => {
             begins("// Specula ")

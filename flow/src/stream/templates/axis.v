@@ -38,7 +38,7 @@ module @NAME@_axis #(
 
     output reg  [2:0] error,  // packets that were skipped: [0] too short, [1] too long, [2] pixels
     input  wire       clear_error,
-    output wire       busy,    // a packet is waiting, shaded, or not wholly sent
+    output reg        busy,    // a packet is waiting, shaded, or not wholly sent
     output wire       blocked, // this clock a span waits, since pixels are not taken
     output wire       starved  // this clock there is no span
 );
@@ -193,7 +193,7 @@ module @NAME@_axis #(
       .m_axis_tlast(m_axis_tlast)
   );
 
-  assign busy = full | shading | ~(&places);
+  always @(posedge aclk) busy <= ~reset & (full | shading | ~(&places));
 ?slots|  assign blocked = shading & ~room & first_slot;
 !slots|  assign blocked = shading & ~room;
   assign starved = ~shading;
@@ -219,8 +219,8 @@ module @NAME@_packets (
     output reg         full,  // the packet is whole
     input  wire        take,
 
-    output wire [2:0] skipped,   // in this clock: too short, too long, wrong number of pixels
-    output wire       lost_last  // what is skipped was to be the last span of its frame
+    output reg  [2:0] skipped,   // in the clock before: too short, too long, wrong number of pixels
+    output reg        lost_last  // what was skipped was to be the last span of its frame
 );
   reg [@WORDS_TOP@:0] at;  // one-hot: the word that comes next
   reg skipping;  // up to the next `word_last`
@@ -228,20 +228,32 @@ module @NAME@_packets (
   assign word_ready = ~full;
   wire accept = word_valid & word_ready;
   wire last = at[@WORDS_TOP@];
-  wire [16:0] header = @HEADER_WORD@;
-  wire fits = (header[15:0] != 16'd0) & (header[15:0] <= 16'd@LONGEST@);
+
+  // What the header says, from the clock after it on.
+  wire word_fits = (word[15:0] != 16'd0) & (word[15:0] <= 16'd@LONGEST@);
+?several|  reg fits;
+?several|  reg is_last;
+?several|  always @(posedge clock) begin
+?several|    if (accept & at[0]) begin
+?several|      fits <= word_fits;
+?several|      is_last <= word[16];
+?several|    end
+?several|  end
+!several|  wire fits = word_fits;
+!several|  wire is_last = word[16];
+
   wire ends = accept & ~skipping & (last | word_last);
   wire too_short = ends & ~last;
   wire too_long = ends & ~word_last;
   wire whole = ends & last & word_last;
-  assign skipped = {whole & ~fits, too_long, too_short};
-  assign lost_last = (|skipped) & header[16];
 
   always @(posedge clock) begin
     if (reset) begin
       at <= @WORDS@'d1;
       skipping <= 1'b0;
       full <= 1'b0;
+      skipped <= 3'd0;
+      lost_last <= 1'b0;
     end else begin
       if (ends) at <= @WORDS@'d1;
 ?several|      else if (accept & ~skipping) at <= at << 1;
@@ -249,6 +261,9 @@ module @NAME@_packets (
       else if (accept & word_last) skipping <= 1'b0;
       if (whole & fits) full <= 1'b1;
       else if (take) full <= 1'b0;
+      skipped <= {whole & ~fits, too_long, too_short};
+?several|      lost_last <= (ends & ~(last & word_last & fits)) & (at[0] ? word[16] : is_last);
+!several|      lost_last <= (ends & ~(last & word_last & fits)) & is_last;
     end
 @TAKE_WORDS@
   end
@@ -277,39 +292,66 @@ module @NAME@_pixels #(
     output wire        m_axis_tuser,
     output wire        m_axis_tlast
 );
-  @RAM_STYLE@reg [@TAG_TOP@:0] tags[0:(1<<LOG2_DEPTH)-1];
-  @RAM_STYLE@reg [23:0] colours[0:(1<<LOG2_DEPTH)-1];
   reg [LOG2_DEPTH-1:0] entering;  // the place of the pixel that enters next
   reg [LOG2_DEPTH-1:0] leaving;  // of the one that leaves the core next
-  reg [LOG2_DEPTH-1:0] sending;  // of the one that is sent next
-  reg [@TAG_TOP@:0] sent_tag;
-  reg [23:0] sent_colour;
+  reg [LOG2_DEPTH-1:0] sending;  // of the one that is read next
+  reg [LOG2_DEPTH-1:0] stored;  // pixels in the memory that have left the core
+  reg waiting;  // there are any
+  reg is_read;  // a pixel stands between the memory and the output
+  wire [@TAG_TOP@:0] sent_tag;
+  wire [23:0] sent_colour;
 
-  wire send = (leaving != sending) & (~m_axis_tvalid | m_axis_tready);
+  wire move = is_read & (~m_axis_tvalid | m_axis_tready);
+  wire read = waiting & (~is_read | ~m_axis_tvalid | m_axis_tready);
 
-  always @(posedge clock) begin
-    if (enters) tags[entering] <= tag;
-    if (send) sent_tag <= tags[sending];
-  end
+  @NAME@_memory #(
+      .WIDTH(@TAG_BITS@),
+      .LOG2_DEPTH(LOG2_DEPTH)
+  ) tags (
+      .clock(clock),
+      .write(enters),
+      .write_place(entering),
+      .write_data(tag),
+      .read(read),
+      .read_place(sending),
+      .move(move),
+      .data(sent_tag)
+  );
 
-  always @(posedge clock) begin
-    if (leaves) colours[leaving] <= colour;
-    if (send) sent_colour <= colours[sending];
-  end
+  @NAME@_memory #(
+      .WIDTH(24),
+      .LOG2_DEPTH(LOG2_DEPTH)
+  ) colours (
+      .clock(clock),
+      .write(leaves),
+      .write_place(leaving),
+      .write_data(colour),
+      .read(read),
+      .read_place(sending),
+      .move(move),
+      .data(sent_colour)
+  );
 
   always @(posedge clock) begin
     if (reset) begin
       entering <= {LOG2_DEPTH{1'b0}};
       leaving <= {LOG2_DEPTH{1'b0}};
       sending <= {LOG2_DEPTH{1'b0}};
+      stored <= {LOG2_DEPTH{1'b0}};
+      waiting <= 1'b0;
+      is_read <= 1'b0;
       m_axis_tvalid <= 1'b0;
       freed <= 1'b0;
     end else begin
       if (enters) entering <= entering + 1'b1;
       if (leaves) leaving <= leaving + 1'b1;
-      if (send) sending <= sending + 1'b1;
-      m_axis_tvalid <= send | (m_axis_tvalid & ~m_axis_tready);
-      freed <= send;
+      if (read) sending <= sending + 1'b1;
+      if (leaves & ~read) stored <= stored + 1'b1;
+      else if (read & ~leaves) stored <= stored - 1'b1;
+      waiting <= leaves | (|stored[LOG2_DEPTH-1:1]) | (stored[0] & ~read);
+      is_read <= read | (is_read & ~move);
+      m_axis_tvalid <= move | (m_axis_tvalid & ~m_axis_tready);
+      freed <= read;
     end
   end
 
@@ -317,6 +359,42 @@ module @NAME@_pixels #(
 !positions|  assign m_axis_tdata = sent_colour;
   assign m_axis_tuser = sent_tag[1];
   assign m_axis_tlast = sent_tag[0];
+endmodule
+
+// @NAME@_memory: two halves, each with a register behind it, and a register behind both.
+module @NAME@_memory #(
+    parameter WIDTH = 24,
+    parameter LOG2_DEPTH = @LOG2_DEPTH@
+) (
+    input wire clock,
+    input wire write,
+    input wire [LOG2_DEPTH-1:0] write_place,
+    input wire [WIDTH-1:0] write_data,
+    input wire read,  // into the registers of the halves
+    input wire [LOG2_DEPTH-1:0] read_place,
+    input wire move,  // into the last register
+    output reg [WIDTH-1:0] data
+);
+  @RAM_STYLE@reg [WIDTH-1:0] low[0:(1<<(LOG2_DEPTH-1))-1];
+  @RAM_STYLE@reg [WIDTH-1:0] high[0:(1<<(LOG2_DEPTH-1))-1];
+  reg [WIDTH-1:0] read_low;
+  reg [WIDTH-1:0] read_high;
+  reg is_high;
+
+  always @(posedge clock) begin
+    if (write & ~write_place[LOG2_DEPTH-1]) low[write_place[LOG2_DEPTH-2:0]] <= write_data;
+    if (read) read_low <= low[read_place[LOG2_DEPTH-2:0]];
+  end
+
+  always @(posedge clock) begin
+    if (write & write_place[LOG2_DEPTH-1]) high[write_place[LOG2_DEPTH-2:0]] <= write_data;
+    if (read) read_high <= high[read_place[LOG2_DEPTH-2:0]];
+  end
+
+  always @(posedge clock) begin
+    if (read) is_high <= read_place[LOG2_DEPTH-1];
+    if (move) data <= is_high ? read_high : read_low;
+  end
 endmodule
 // verilator lint_on DECLFILENAME
 

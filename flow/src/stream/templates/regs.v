@@ -32,7 +32,7 @@ module @NAME@_regs (
 ?frames|@FRAME_OUTPUTS@
     input  wire       frame,        // a frame begins
     input  wire [2:0] error,        // packets that were skipped
-    output wire       clear_error,
+    output reg        clear_error,
     input  wire       busy,
     input  wire       pixel,        // a pixel is sent
     input  wire       blocked,      // a span waits for pixels to be taken
@@ -84,7 +84,9 @@ module @NAME@_regs (
   end
 
   wire accepted = write & known & whole;
-  assign clear_error = accepted && s_axi_awaddr[11:2] == 10'h005 && s_axi_wdata[2:0] != 3'd0;
+  always @(posedge aclk) begin
+    clear_error <= ~reset & accepted & s_axi_awaddr[11:2] == 10'h005 & s_axi_wdata[2:0] != 3'd0;
+  end
 
 ?frames|  // What is written waits here for the next frame.
 ?frames|@SHADOW_DECLARATIONS@
