@@ -152,9 +152,17 @@ fn packet_page(core: &StreamCore) -> String {
     let meanings = core.spec.input_meanings();
     for field in &core.layout.fields {
         let (low, high) = (field.first_bit, field.first_bit + field.format.width() - 1);
+        let range = |low: u32, high: u32| {
+            if low == high { low.to_string() } else { format!("{low}-{high}") }
+        };
         let place = match (low / word, high / word) {
-            (first, last) if first == last => format!("{first}: {}-{}", low % word, high % word),
-            (first, last) => format!("{first}: {}-{last}: {}", low % word, high % word),
+            (first, last) if first == last => {
+                format!("{first}: {}", range(low % word, high % word))
+            }
+            (first, last) => {
+                let end = range(0, high % word);
+                format!("{first}: {} to {last}: {end}", range(low % word, word - 1))
+            }
         };
         let (unit, what, computed) = match field.content {
             FieldContent::Pixels => ("pixels", "length of the span".into(), "at least 1".into()),
@@ -169,8 +177,10 @@ fn packet_page(core: &StreamCore) -> String {
         };
         let _ = writeln!(
             text,
-            "| {low}-{high} | {place} | `{}` | {} | {unit} | {what} | {computed} |",
-            field.name, field.format
+            "| {} | {place} | `{}` | {} | {unit} | {what} | {computed} |",
+            range(low, high),
+            field.name,
+            field.format
         );
     }
     text.push_str(

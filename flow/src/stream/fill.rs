@@ -1,7 +1,7 @@
 //! What of a core is filled into the templates.
 use specula_datapath::Design;
 use specula_datapath::design::{Node, NodeId, Op};
-use specula_spec::{FieldContent, PacketField, Positions};
+use specula_spec::{FieldContent, Format, Positions};
 
 use super::StreamCore;
 use super::register_map::{FrameInput, IDENTITY, VERSION};
@@ -53,7 +53,7 @@ fn streams(core: &StreamCore, values: &mut Values) {
     let interval = core.design.interval;
     values.set("INTERVAL", interval);
     values.set("LAST_SLOT", interval - 1);
-    let clocks = if interval == 1 { "clock".to_owned() } else { format!("{interval} clocks") };
+    let clocks = if interval == 1 { "a clock".to_owned() } else { format!("{interval} clocks") };
     values.set("CLOCKS_A_PIXEL", clocks);
     values.flag("slots", interval > 1);
     values.set("RAM_STYLE", ram_style(core));
@@ -91,9 +91,10 @@ fn core_instance(core: &StreamCore, values: &mut Values) {
     pins.extend(control_pin(design, design.valid, "enter"));
     let start = if design.interval == 1 { "at_first" } else { "at_first & first_slot" };
     pins.extend(control_pin(design, design.start, start));
-    pins.extend(core.layout.fields.iter().filter_map(span_pin));
-    let of_frame = core.frame_inputs().into_iter().map(|input| (input.name.clone(), input.name));
-    pins.extend(of_frame);
+    let inputs = input_pins(core);
+    pins.extend(inputs.iter().map(|pin| (pin.port.clone(), pin.taken.clone())));
+    let unused = inputs.iter().filter_map(|pin| pin.unused.as_ref());
+    values.set("UNUSED_INPUTS", unused.map(|bits| format!(", {bits}")).collect::<String>());
     pins.push((name(design.valid_out).clone(), "leaves".to_owned()));
     let channels: Vec<String> = design.outputs.iter().map(|&id| name(id).clone()).collect();
     pins.extend(channels.iter().map(|channel| (channel.clone(), format!("core_{channel}"))));
@@ -123,15 +124,40 @@ fn control_pin(design: &Design, id: NodeId, net: &str) -> Option<(String, String
     (node.op == Op::Input).then(|| (node.name.clone(), net.to_owned()))
 }
 
-/// The pin of an input that holds for a span, with its bits of the packet.
-fn span_pin(field: &PacketField) -> Option<(String, String)> {
-    let FieldContent::Input(_) = field.content else { return None };
-    let (low, width) = (field.first_bit, field.format.width());
-    let select = match width {
-        1 => format!("span[{low}]"),
-        _ => format!("span[{}:{low}]", low + width - 1),
+/// A data input of the core: its port, the bits that go there, and the copies of their highest bit
+/// above them, which the format has and the port has not.
+struct InputPin {
+    port: String,
+    taken: String,
+    unused: Option<String>,
+}
+
+/// The pins of all data inputs, those of the packet first.
+fn input_pins(core: &StreamCore) -> Vec<InputPin> {
+    let of_span = core.layout.fields.iter().filter_map(|field| match field.content {
+        FieldContent::Input(number) => Some((number, "span", field.first_bit, field.format)),
+        _ => None,
+    });
+    let of_frame = core.frame_inputs();
+    let of_frame =
+        of_frame.iter().map(|input| (input.number, input.name.as_str(), 0, input.format));
+    let pin = |(number, net, low, format): (usize, &str, u32, Format)| {
+        let node = core.design.node(core.design.inputs[number]?);
+        let (width, field) = (node.width(), format.width());
+        let is_scalar = net != "span" && field == 1;
+        let taken = if is_scalar { net.to_owned() } else { selected_bits(net, low, width) };
+        let unused = (field > width).then(|| selected_bits(net, low + width, field - width));
+        Some(InputPin { port: node.name.clone(), taken, unused })
     };
-    Some((field.name.clone(), select))
+    of_span.chain(of_frame).filter_map(pin).collect()
+}
+
+/// Some bits of a vector.
+fn selected_bits(net: &str, low: u32, width: u32) -> String {
+    match width {
+        1 => format!("{net}[{low}]"),
+        _ => format!("{net}[{}:{low}]", low + width - 1),
+    }
 }
 
 /// Bounds of a vector and a blank; nothing for a single bit.

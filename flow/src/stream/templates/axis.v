@@ -198,8 +198,8 @@ module @NAME@_axis #(
 !slots|  assign blocked = shading & ~room;
   assign starved = ~shading;
 
-  // The rest of the header is 0.
-  wire unused_bits = &{1'b0, packet[31:17]};
+  // The rest of the header is 0, and above some inputs stand copies of their highest bit.
+  wire unused_bits = &{1'b0, packet[31:17]@UNUSED_INPUTS@};
 endmodule
 
 // Modules of the stream top follow; they stand in its file so that one file is the whole of it.
