@@ -61,6 +61,7 @@ fn values(core: &StreamCore, vectors: &Vectors, frames: usize, command: &str) ->
     values.set("VERSION_TEXT", env!("CARGO_PKG_VERSION"));
     values.set("COMMAND", command);
     values.set("YOSYS_ARCH", yosys_arch(core));
+    values.set("YOSYS_CELLS", yosys_cells(core));
     values.set("FULL_SPEED", (core.words() + 1).div_ceil(core.design.interval));
     values.set("REGISTER_TABLE", register_table(core));
     let registers = core.has_frame_inputs();
@@ -104,6 +105,15 @@ fn yosys_arch(core: &StreamCore) -> &'static str {
         Some("gowin") => "gowin",
         Some(name) if name.starts_with("ice40") => "ice40",
         _ => "ecp5",
+    }
+}
+
+/// What reads the cells that a core for a target asks for by name, before it is read itself.
+fn yosys_cells(core: &StreamCore) -> &'static str {
+    match core.spec.target.as_ref().map(|target| target.name.as_str()) {
+        Some("ecp5") => "read_verilog -lib +/ecp5/cells_sim.v +/ecp5/cells_bb.v; ",
+        Some("ice40up") => "read_verilog -lib +/ice40/cells_sim.v; ",
+        _ => "",
     }
 }
 

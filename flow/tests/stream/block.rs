@@ -13,7 +13,6 @@ use tempfile::TempDir;
 /// A block's files.
 pub struct Block {
     folder: TempDir,
-    pub name: String,
     pub words_a_packet: u32,
     pub latency: u32,
 }
@@ -72,7 +71,7 @@ impl Block {
         for file in files(&core, &vectors, "specula generate") {
             written(&file.name, &file.text);
         }
-        Block { folder, name, words_a_packet: core.words(), latency: design.latency() }
+        Block { folder, words_a_packet: core.words(), latency: design.latency() }
     }
 
     /// The path of a file.
