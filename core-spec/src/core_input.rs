@@ -1,6 +1,8 @@
 //! An input of a core, and what it tells of a scene.
 use specula_datapath::{Format, Hold, InputPort};
 
+use crate::input_meaning::InputMeaning;
+
 /// What an input tells of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InputRole {
@@ -47,16 +49,16 @@ impl InputRole {
 pub struct CoreInput {
     /// The port of the hardware.
     pub port: InputPort,
-    /// What it tells of a scene.
-    pub role: InputRole,
+    /// What it is.
+    pub meaning: InputMeaning,
 }
 
 impl CoreInput {
     /// All that a role tells but of the surface stands still for a frame, as far as the core's
     /// parameters allow.
-    fn of_port(role: InputRole, port: InputPort) -> CoreInput {
-        let hold = if role == InputRole::Surface { Hold::Span } else { Hold::Frame };
-        CoreInput { port: InputPort { hold, ..port }, role }
+    fn of_port(meaning: InputMeaning, port: InputPort) -> CoreInput {
+        let hold = if meaning.role == InputRole::Surface { Hold::Span } else { Hold::Frame };
+        CoreInput { port: InputPort { hold, ..port }, meaning }
     }
 
     /// The same input where set-up gives it other values from span to span, whatever its role.
@@ -65,33 +67,42 @@ impl CoreInput {
     }
 
     /// An input that takes every value of its format.
-    pub(crate) fn whole(role: InputRole, name: impl Into<String>, format: Format) -> CoreInput {
-        CoreInput::of_port(role, InputPort::whole(name, format))
+    pub(crate) fn whole(
+        meaning: InputMeaning,
+        name: impl Into<String>,
+        format: Format,
+    ) -> CoreInput {
+        CoreInput::of_port(meaning, InputPort::whole(name, format))
     }
 
     /// An input that takes values from `low` to `high`.
     pub(crate) fn between(
-        role: InputRole,
+        meaning: InputMeaning,
         name: impl Into<String>,
         format: Format,
         low: f64,
         high: f64,
     ) -> CoreInput {
-        CoreInput::of_port(role, InputPort::between(name, format, low, high))
+        CoreInput::of_port(meaning, InputPort::between(name, format, low, high))
     }
 
     /// Inputs for a vector's components, each from -`limit` to `limit`.
     pub(crate) fn vector(
-        role: InputRole,
+        meaning: &InputMeaning,
         name: &str,
         format: Format,
         limit: f64,
     ) -> [CoreInput; 3] {
-        InputPort::vector(name, format, limit).map(|port| CoreInput::of_port(role, port))
+        let mut axes = ["x", "y", "z"].into_iter();
+        InputPort::vector(name, format, limit).map(|port| {
+            CoreInput::of_port(meaning.component(axes.next().unwrap_or_default()), port)
+        })
     }
 
     /// Inputs for the coefficients of the three channels.
-    pub(crate) fn colour(role: InputRole, name: &str, format: Format) -> [CoreInput; 3] {
-        ["r", "g", "b"].map(|channel| CoreInput::whole(role, format!("{name}_{channel}"), format))
+    pub(crate) fn colour(meaning: &InputMeaning, name: &str, format: Format) -> [CoreInput; 3] {
+        [("r", "red"), ("g", "green"), ("b", "blue")].map(|(channel, in_words)| {
+            CoreInput::whole(meaning.component(in_words), format!("{name}_{channel}"), format)
+        })
     }
 }

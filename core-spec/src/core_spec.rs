@@ -5,6 +5,7 @@ use specula_scene::needs::Needs;
 use crate::core_input::{CoreInput, InputRole};
 use crate::defaults::span_bits;
 use crate::error::SpecError;
+use crate::input_meaning::InputMeaning;
 use crate::inputs::{CoreInputs, InputGroup, MethodInputs};
 use crate::light_pipelines::LightPipelines;
 use crate::method::{Method, MethodSpec};
@@ -117,7 +118,12 @@ impl CoreSpec {
 
     /// What each of [`CoreSpec::inputs`] tells of a scene.
     pub fn input_roles(&self) -> Vec<InputRole> {
-        self.method.core_inputs(&self.parameters).iter().map(|input| input.role).collect()
+        self.method.core_inputs(&self.parameters).iter().map(|input| input.meaning.role).collect()
+    }
+
+    /// What each of [`CoreSpec::inputs`] is, and how a host computes it.
+    pub fn input_meanings(&self) -> Vec<InputMeaning> {
+        self.method.core_inputs(&self.parameters).into_iter().map(|input| input.meaning).collect()
     }
 
     /// The ports of [`CoreSpec::inputs`] by the names that `method`, which is this core's, has for
@@ -130,7 +136,7 @@ impl CoreSpec {
     /// The port of an input of the method, as it is here.
     fn port(&self, input: &CoreInput) -> InputPort {
         let hold = match input.port.hold {
-            Hold::Frame => self.parameters.hold(input.role, self.places_seen_from()),
+            Hold::Frame => self.parameters.hold(input.meaning.role, self.places_seen_from()),
             Hold::Span => Hold::Span,
         };
         InputPort { hold, ..self.specialisation.narrowed(&input.port) }

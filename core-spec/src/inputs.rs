@@ -6,6 +6,7 @@ use smallvec::SmallVec;
 use specula_scene::limits::MOST_LIGHTS;
 
 use crate::core_input::{CoreInput, InputRole};
+use crate::input_meaning::InputMeaning;
 use crate::parameters::CoreParameters;
 
 /// One for each light of a core, which has [`MOST_LIGHTS`] at most: no memory is allocated for
@@ -67,7 +68,9 @@ pub trait MethodInputs {
         &self,
         core: &CoreParameters,
     ) -> CoreInputs<Self::SpanGroup, Self::LightGroup, CoreInput> {
-        let colour = |role: InputRole, name: &str| CoreInput::colour(role, name, core.coefficient);
+        let colour = |role: InputRole, name: &str| {
+            CoreInput::colour(&coefficient_meaning(role), name, core.coefficient)
+        };
         let light = |index: usize| LightInputs {
             light: self.light_inputs(core, index),
             diffuse: colour(InputRole::Diffuse, &format!("light{index}_diffuse")),
@@ -79,6 +82,26 @@ pub trait MethodInputs {
             lights: (0..core.lights).map(light).collect(),
         }
     }
+}
+
+/// What a coefficient of ambient, diffuse or specular light is.
+fn coefficient_meaning(role: InputRole) -> InputMeaning {
+    let (what, computed) = match role {
+        InputRole::Ambient => (
+            "ambient light sent back",
+            "255 times the material's ambient reflectance times the ambient light",
+        ),
+        InputRole::Diffuse => (
+            "diffuse light sent back where N.L is 1",
+            "255 times the material's diffuse reflectance times the light's colour",
+        ),
+        _ => (
+            "specular light sent back at the middle of the highlight",
+            "255 times the material's specular reflectance times the light's colour; 0 where the \
+             light has no highlight",
+        ),
+    };
+    InputMeaning::of(role, what, computed).in_unit("LSB")
 }
 
 impl<S: InputGroup<Value = T>, L: InputGroup<Value = T>, T> CoreInputs<S, L, T> {

@@ -2,7 +2,8 @@
 use specula_datapath::Format;
 use specula_scene::frame::Span;
 
-use crate::core_input::{CoreInput, InputRole};
+use crate::core_input::CoreInput;
+use crate::input_meaning::InputMeaning;
 use crate::inputs::{InputGroup, inputs};
 
 inputs! {
@@ -17,11 +18,14 @@ inputs! {
 
 impl Linear<CoreInput> {
     /// The inputs of a cosine times a length up to 1: from -1 to 1 along the span.
-    pub(crate) fn inputs(name: &str, format: Format) -> Linear<CoreInput> {
-        let input = |part: &str, limit: f64| {
-            CoreInput::between(InputRole::Surface, format!("{name}_{part}"), format, -limit, limit)
+    ///
+    /// `value` is the formula of what is linear, such as `N.L`.
+    pub(crate) fn inputs(value: &str, name: &str, format: Format) -> Linear<CoreInput> {
+        let input = |meaning: InputMeaning, part: &str, limit: f64| {
+            CoreInput::between(meaning, format!("{name}_{part}"), format, -limit, limit)
         };
-        Linear { start: input("start", 1.0), step: input("step", 2.0) }
+        let [start, step] = [InputMeaning::at_first_pixel(value), InputMeaning::step(value)];
+        Linear { start: input(start, "start", 1.0), step: input(step, "step", 2.0) }
     }
 }
 

@@ -5,6 +5,7 @@ use specula_scene::needs::Needs;
 
 use crate::core_input::{CoreInput, InputRole};
 use crate::error::SpecError;
+use crate::input_meaning::InputMeaning;
 use crate::narrowing::{NarrowingPoint, UNIT};
 use crate::parameters::CoreParameters;
 use crate::shading_method::OptionDomain;
@@ -91,13 +92,23 @@ impl PowerUnit {
     /// The input for the exponent, or for its logarithm.
     pub fn exponent_input(&self, core: &CoreParameters) -> CoreInput {
         let largest = core.largest_shininess << self.log2_factor;
-        let input = |name: &str, low: u32, high: u32| {
+        let input = |meaning: InputMeaning, name: &str, low: u32, high: u32| {
             let format = Format::unsigned((u32::BITS - high.leading_zeros()).max(1), 0);
-            CoreInput::between(InputRole::Exponent, name, format, low.into(), high.into())
+            CoreInput::between(meaning, name, format, low.into(), high.into())
         };
+        let of = |what: &'static str, computed: String| {
+            InputMeaning::of(InputRole::Exponent, what, computed)
+        };
+        let exponent = format!("{} times the material's exponent n", 1 << self.log2_factor);
         match self.power {
-            Power::Squaring => input("log2_exponent", 0, largest.ilog2()),
-            Power::Tables => input("exponent", 1, largest),
+            Power::Squaring => {
+                let logarithm =
+                    of("log2 of the highlight's exponent", format!("log2 of {exponent}"));
+                input(logarithm, "log2_exponent", 0, largest.ilog2())
+            }
+            Power::Tables => {
+                input(of("the highlight's exponent", exponent), "exponent", 1, largest)
+            }
         }
     }
 

@@ -3,8 +3,12 @@ use glam::DVec3;
 use specula_datapath::Format;
 use specula_scene::frame::Span;
 
-use crate::core_input::{CoreInput, InputRole};
+use crate::core_input::CoreInput;
+use crate::input_meaning::InputMeaning;
 use crate::inputs::{InputGroup, inputs};
+
+/// The numerator of Hast's specular base, as a formula.
+pub(crate) const REFLECTED: &str = "2(N.V)(N.L) - (L.V)(N.N)";
 
 inputs! {
     /// Start value and differences of a quadratic in the pixel number.
@@ -22,25 +26,40 @@ inputs! {
 impl Quadratic<CoreInput> {
     /// The inputs of x·x with |x| ≤ 1: from 0 to 1 along the span, so differences of neighbours are
     /// up to 1 and 2.
-    pub(crate) fn squared_length_inputs(name: &str, format: Format) -> Quadratic<CoreInput> {
-        Quadratic::inputs(name, format, [(0.0, 1.0), (-1.0, 1.0), (0.0, 2.0)])
+    pub(crate) fn squared_length_inputs(
+        value: &str,
+        name: &str,
+        format: Format,
+    ) -> Quadratic<CoreInput> {
+        Quadratic::inputs(value, name, format, [(0.0, 1.0), (-1.0, 1.0), (0.0, 2.0)])
     }
 
     /// The inputs of what [`Quadratic::reflected`] makes of |x| ≤ 1 and unit vectors: from -1 to 1
     /// along the span, so differences of neighbours are up to 2 and 4.
-    pub(crate) fn reflected_inputs(name: &str, format: Format) -> Quadratic<CoreInput> {
-        Quadratic::inputs(name, format, [(-1.0, 1.0), (-2.0, 2.0), (-4.0, 4.0)])
+    pub(crate) fn reflected_inputs(
+        value: &str,
+        name: &str,
+        format: Format,
+    ) -> Quadratic<CoreInput> {
+        Quadratic::inputs(value, name, format, [(-1.0, 1.0), (-2.0, 2.0), (-4.0, 4.0)])
     }
 
-    /// The inputs of a quadratic; `limits` of start value, first and second difference.
-    fn inputs(name: &str, format: Format, limits: [(f64, f64); 3]) -> Quadratic<CoreInput> {
-        let input = |part: &str, (low, high)| {
-            CoreInput::between(InputRole::Surface, format!("{name}_{part}"), format, low, high)
+    /// The inputs of a quadratic, `value` as a formula; `limits` of start value, first and second
+    /// difference.
+    fn inputs(
+        value: &str,
+        name: &str,
+        format: Format,
+        limits: [(f64, f64); 3],
+    ) -> Quadratic<CoreInput> {
+        let input = |meaning: InputMeaning, part: &str, (low, high)| {
+            CoreInput::between(meaning, format!("{name}_{part}"), format, low, high)
         };
+        let [first, second] = [InputMeaning::first_difference, InputMeaning::second_difference];
         Quadratic {
-            start: input("start", limits[0]),
-            first_difference: input("first_difference", limits[1]),
-            second_difference: input("second_difference", limits[2]),
+            start: input(InputMeaning::at_first_pixel(value), "start", limits[0]),
+            first_difference: input(first(value), "first_difference", limits[1]),
+            second_difference: input(second(value), "second_difference", limits[2]),
         }
     }
 }

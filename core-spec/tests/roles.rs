@@ -1,9 +1,9 @@
 //! What each input of each method's cores tells of a scene.
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 use specula_scene::{Needs, load};
-use specula_spec::{CoreOptions, CoreSpec, Method};
+use specula_spec::{CoreOptions, CoreSpec, InputMeaning, Method};
 
 /// Scenes with lights at infinity and at places, of exponents that are powers of two and others.
 const SCENES: [&str; 2] = ["teapot", "lamps"];
@@ -27,22 +27,33 @@ fn tables(method: Method) -> impl Iterator<Item = CoreOptions> {
     })
 }
 
+/// The name of an input with the number of its light left open.
+fn of_any_light(name: &str) -> String {
+    match name.strip_prefix("light") {
+        Some(rest) => format!("light<l>{}", &rest[1..]),
+        None => name.to_owned(),
+    }
+}
+
+/// Cores by one method.
+fn cores(method: Method) -> impl Iterator<Item = CoreSpec> {
+    SCENES.into_iter().flat_map(move |scene| {
+        let frame = load(scene, Some((16, 12))).expect("it is built in").frame;
+        let needs = Needs { uneven_shininess: None, ..Needs::of(&frame) };
+        tables(method).map(move |table| {
+            CoreSpec::for_scene(&needs, Some(&table), Some(method)).expect("it is one")
+        })
+    })
+}
+
 /// The inputs of all cores by one method, those of the first light alone.
 fn roles(method: Method) -> BTreeMap<String, &'static str> {
     let mut roles = BTreeMap::new();
-    for scene in SCENES {
-        let frame = load(scene, Some((16, 12))).expect("it is built in").frame;
-        for table in tables(method) {
-            let needs = Needs { uneven_shininess: None, ..Needs::of(&frame) };
-            let spec = CoreSpec::for_scene(&needs, Some(&table), Some(method)).expect("it is one");
-            for (port, role) in spec.inputs().iter().zip(spec.input_roles()) {
-                let one_light = match port.name.strip_prefix("light") {
-                    Some(rest) => format!("light<l>{}", &rest[1..]),
-                    None => port.name.clone(),
-                };
-                let role = role.in_words();
-                assert_eq!(*roles.entry(one_light).or_insert(role), role, "{}", port.name);
-            }
+    for spec in cores(method) {
+        for (port, role) in spec.inputs().iter().zip(spec.input_roles()) {
+            let role = role.in_words();
+            let first = *roles.entry(of_any_light(&port.name)).or_insert(role);
+            assert_eq!(first, role, "{}", port.name);
         }
     }
     roles
@@ -60,6 +71,26 @@ fn inputs_tell_of_what_they_are_for() {
         for (role, names) in by_role {
             writeln!(text, "  {role}: {}", names.join(", ")).expect("a string takes all");
         }
+    }
+    insta::assert_snapshot!(text);
+}
+
+/// An input may be computed otherwise with other options.
+#[test]
+fn inputs_say_what_they_are() {
+    let mut text = String::new();
+    for method in Method::ALL {
+        let mut lines = BTreeSet::new();
+        for spec in cores(method) {
+            for (port, meaning) in spec.inputs().iter().zip(spec.input_meanings()) {
+                let InputMeaning { what, unit, computed, .. } = meaning;
+                assert!(!what.is_empty() && !unit.is_empty() && !computed.is_empty());
+                let name = of_any_light(&port.name);
+                lines.insert(format!("  {name}: {what} [{unit}]: {computed}"));
+            }
+        }
+        writeln!(text, "{}", method.name()).expect("a string takes all");
+        lines.iter().for_each(|line| writeln!(text, "{line}").expect("a string takes all"));
     }
     insta::assert_snapshot!(text);
 }

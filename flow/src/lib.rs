@@ -1,4 +1,6 @@
-//! What stands around a core on its way into a device: synthesis with place-and-route, and the
-//! program that measures the delays of a target's table with it.
+//! What stands around a core on its way into a device: streams, registers, vectors and benches,
+//! synthesis with place-and-route, and the program that measures the delays of a target's table with
+//! it.
 pub mod measure;
+pub mod stream;
 pub mod synth;

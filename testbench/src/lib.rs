@@ -8,6 +8,7 @@
 //! does. A [`Bench`] puts them together.
 pub mod checker;
 mod error;
+mod expected;
 mod fault;
 mod image;
 mod monitor;
@@ -20,6 +21,7 @@ pub mod trace;
 
 pub use checker::Violation;
 pub use error::BenchError;
+pub use expected::expected_codes;
 pub use image::Image;
 pub use monitor::Monitor;
 pub use run::{Bench, EngineKind, Outcome, Progress};

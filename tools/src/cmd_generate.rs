@@ -1,4 +1,6 @@
 //! `specula generate`: a core's Verilog without simulating it.
+mod block;
+
 use std::io::Write;
 use std::path::Path;
 
@@ -9,17 +11,24 @@ use specula_testbench::BenchError;
 use crate::arguments::{NameArguments, OutputArguments};
 use crate::device::DeviceArguments;
 use crate::error::ToolError;
-use crate::job::SceneOrSpec;
+use crate::job::{Job, SceneOrSpec};
 use crate::output::{Interrupts, write_core};
 use crate::verdict::Verdict;
 use crate::verilog;
+use block::BlockArguments;
 
 const EXAMPLE: &str = "\
 Writes DIR/NAME.v, Verilog-2001 with one module per unit, and DIR/spec.toml, from which the same \
 core can be made again. Other files in DIR stay. `-o -` writes only the Verilog, to standard \
 output.
 
-Example: specula generate teapot --method hybrid --name shader -o rtl";
+With `--ip` the folder has a block for a design besides: NAME_ip.v with AXI4-Stream for packets and \
+pixels and AXI4-Lite for registers, its packet and registers described, a self-checking bench with \
+the scene's spans and expected pixels, a Makefile, and README.md, which says how to begin.
+
+Examples:
+  specula generate teapot --method hybrid --name shader -o rtl
+  specula generate teapot --ip --word 64 --positions -o block";
 
 /// Arguments of `generate`.
 #[derive(Clone, Debug, Args)]
@@ -33,6 +42,8 @@ pub struct Arguments {
     name: NameArguments,
     #[command(flatten)]
     device: DeviceArguments,
+    #[command(flatten)]
+    block: BlockArguments,
 }
 
 /// The argument of `--output` that stands for standard output.
@@ -44,19 +55,29 @@ pub fn execute(
     stdout: &mut dyn Write,
     interrupts: &Interrupts,
 ) -> Result<Verdict, ToolError> {
-    let (file, origin) = arguments.core.file(&arguments.device, &arguments.name)?;
+    let job = arguments.shown()?;
+    let (file, origin) = match &job {
+        Some(job) => (job.file.clone(), job.origin.clone()),
+        None => arguments.core.file(&arguments.device, &arguments.name)?,
+    };
     let module = specula_hdl::module_name(&file.name, &file.spec);
     let design = specula_hdl::elaborate(&file.spec, &module).map_err(BenchError::from)?;
     arguments.device.fitted(&design)?;
     let text = verilog::text(&origin, &file.spec, &design);
     let folder = arguments.output.folder(&file.name);
     if folder == Path::new(STANDARD_OUTPUT) {
+        if arguments.block.ip {
+            return Err(ToolError::FolderNeeded);
+        }
         write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
         return Ok(Verdict::Done);
     }
     let mut texts = vec![(verilog::file_name(&module), text)];
     if !arguments.is_spec_of(&folder) {
         texts.push((SpecFile::NAME.to_owned(), file.text()));
+    }
+    if let Some(job) = &job {
+        texts.extend(arguments.block.files(job, &design)?);
     }
     for path in write_core(&folder, &texts, interrupts)? {
         writeln!(stdout, "{}", path.display()).map_err(ToolError::Print)?;
@@ -65,6 +86,14 @@ pub fn execute(
 }
 
 impl Arguments {
+    /// The core with the scene that its bench shows, if there is to be one.
+    fn shown(&self) -> Result<Option<Job>, ToolError> {
+        if !self.block.ip {
+            return Ok(None);
+        }
+        self.core.job(&self.device, self.block.vectors.as_deref(), &self.name).map(Some)
+    }
+
     /// Whether the given spec is the one in `folder`, which then stays as the user wrote it.
     fn is_spec_of(&self, folder: &Path) -> bool {
         let place = |path: &Path| path.canonicalize().ok();

@@ -106,7 +106,8 @@ impl Arguments {
     fn simulated(&self) -> Result<Option<Job>, ToolError> {
         let Some(scene) = &self.simulate else { return Ok(None) };
         Icarus::present().map_err(BenchError::from)?;
-        self.core.job(scene.as_deref(), &NameArguments::default()).map(Some)
+        let (device, name) = (DeviceArguments::default(), NameArguments::default());
+        self.core.job(&device, scene.as_deref(), &name).map(Some)
     }
 }
 

@@ -90,9 +90,28 @@ pub enum ToolError {
     #[error("there is no scene to simulate the core on")]
     #[diagnostic(
         code(specula::synth::scene),
-        help("name one that the core can shade, such as `--simulate=teapot`")
+        help(
+            "name one that the core can shade, such as `--simulate=teapot` or `--vectors teapot`"
+        )
     )]
     NoScene,
+    /// There are no spans for a bench.
+    #[error("no triangle of `{scene}` is to be seen, so there are no vectors for a bench")]
+    #[diagnostic(
+        code(specula::generate::vectors),
+        help("turn the camera, or name another scene with `--vectors`")
+    )]
+    NoVectors {
+        /// The scene.
+        scene: String,
+    },
+    /// Several files are to go to standard output.
+    #[error("a block is many files, which standard output cannot take")]
+    #[diagnostic(
+        code(specula::generate::folder),
+        help("name a folder with `--output`, or leave out `--ip`")
+    )]
+    FolderNeeded,
     /// A result cannot be put into JSON.
     #[error("the result cannot be written as JSON: {0}")]
     #[diagnostic(

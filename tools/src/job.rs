@@ -127,12 +127,16 @@ impl SceneOrSpec {
     /// # Errors
     /// [`ToolError::NoScene`] if the core is a file and no scene is named, and
     /// [`ToolError::Refused`] if the core cannot shade the scene.
-    pub fn job(&self, named: Option<&str>, name: &NameArguments) -> Result<Job, ToolError> {
-        let device = DeviceArguments::default();
+    pub fn job(
+        &self,
+        device: &DeviceArguments,
+        named: Option<&str>,
+        name: &NameArguments,
+    ) -> Result<Job, ToolError> {
         let Some(named) = named else {
             return match &self.spec {
                 Some(_) => Err(ToolError::NoScene),
-                None => Job::of_scene(&self.scene(), &self.wanted, &device, name),
+                None => Job::of_scene(&self.scene(), &self.wanted, device, name),
             };
         };
         let scene =
@@ -141,7 +145,7 @@ impl SceneOrSpec {
             Some(path) => path,
             None => Path::new(self.scene.as_deref().unwrap_or_default()),
         };
-        Job::shading(self.file(&device, name)?, &scene, core)
+        Job::shading(self.file(device, name)?, &scene, core)
     }
 
     /// The scene that the core is made for.

@@ -28,6 +28,7 @@ mod messages;
 mod output;
 mod picture;
 mod plot;
+mod ports;
 mod progress;
 mod report;
 mod run;

@@ -10,6 +10,7 @@ use specula_spec::{CoreSpec, SpecFile, TargetClock};
 use crate::arguments::{ANY_DEVICE, CoreArguments, NameArguments, SceneArguments};
 use crate::device::DeviceArguments;
 use crate::made_for::MadeFor;
+use crate::ports::{Port, inputs};
 use crate::table;
 
 /// The Verilog of a core as text.
@@ -162,6 +163,7 @@ pub fn header(origin: &Origin, spec: &CoreSpec, design: &Design) -> Header {
     if let Some(made_for) = MadeFor::of(spec, design) {
         lines.push(format!("Made for {}.", made_for.in_words()));
     }
+    lines.extend(inputs_in_words(spec, design));
     let protocol = protocol(design);
     lines.extend(
         ["", &protocol, "", "Made by:"].iter().flat_map(|text| text.split('\n')).map(str::to_owned),
@@ -169,6 +171,24 @@ pub fn header(origin: &Origin, spec: &CoreSpec, design: &Design) -> Header {
     lines.push(format!("  {}", origin.command));
     lines.push("What Specula emits belongs to whoever ran it.".to_owned());
     Header { lines }
+}
+
+/// What each data input is, and how the host computes it.
+fn inputs_in_words(spec: &CoreSpec, design: &Design) -> Vec<String> {
+    let cells = |port: Port| {
+        let Port { name, held_for, unit, meaning, computed, .. } = port;
+        let computed = computed.unwrap_or_default();
+        [name, format!("a {held_for}"), unit.to_owned(), format!("{meaning}: {computed}")]
+    };
+    let rows: Vec<[String; 4]> = inputs(spec, design).into_iter().map(cells).collect();
+    if rows.is_empty() {
+        return vec![];
+    }
+    let about = "\
+Data inputs, for how long they are held, their unit, what they are and how the host computes them,
+before it rounds them to the format of the port. L and V = (0, 0, 1) are directions to a light and to
+the eye, N is the normal; x is to the right, y up, z to the eye.";
+    about.lines().map(str::to_owned).chain(indented(&table::folded(&rows, 100))).collect()
 }
 
 /// How the core is fed.

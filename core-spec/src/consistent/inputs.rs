@@ -1,7 +1,7 @@
 //! The inputs of a `consistent` core.
 use super::{ConsistentSpec, Highlight};
 use crate::core_input::CoreInput;
-use crate::core_input::InputRole::{Light, Surface};
+use crate::input_meaning::InputMeaning;
 use crate::inputs::{CoreInputs, MethodInputs, inputs};
 use crate::parameters::CoreParameters;
 
@@ -46,26 +46,57 @@ impl MethodInputs for ConsistentSpec {
 
     fn span_inputs(&self, core: &CoreParameters) -> ConsistentSpan<CoreInput> {
         let f = &self.formats;
-        let angle = |name: &str, low: f64, high: f64| {
-            CoreInput::between(Surface, name, f.angle_accumulator, low, high)
+        let angle = |meaning: InputMeaning, name: &str, low: f64, high: f64| {
+            CoreInput::between(
+                meaning.in_unit("quarter turns"),
+                name,
+                f.angle_accumulator,
+                low,
+                high,
+            )
         };
+        let [normal_start, normal_delta] = InputMeaning::along_span(
+            "the axis N of the normals' cone",
+            "axes of the vertices' cones interpolated at the pixel's centre; those of both ends \
+             scaled by one factor so that the longer has length 1",
+        );
+        let angle_start = InputMeaning::surface(
+            "the cone's angle t at the first pixel",
+            "the vertices' t interpolated at the pixel's centre, rounded up",
+        );
+        let angle_step = InputMeaning::surface(
+            "what t grows by with each pixel",
+            "(last pixel's t - first pixel's t)/(pixels - 1), 0 for one pixel, rounded up",
+        );
         ConsistentSpan {
-            normal_start: CoreInput::vector(Surface, "normal_start", f.vector, 1.0),
-            normal_delta: CoreInput::vector(Surface, "normal_delta", f.vector_sum(), 2.0),
-            weight_step: CoreInput::between(Surface, "weight_step", f.weight_accumulator, 0.0, 1.0),
-            angle_start: angle("angle_start", 0.0, LARGEST_ANGLE + f.angle_accumulator.ulp()),
-            angle_step: angle("angle_step", -LARGEST_ANGLE, LARGEST_ANGLE),
+            normal_start: CoreInput::vector(&normal_start, "normal_start", f.vector, 1.0),
+            normal_delta: CoreInput::vector(&normal_delta, "normal_delta", f.vector_sum(), 2.0),
+            weight_step: CoreInput::between(
+                InputMeaning::weight_step(),
+                "weight_step",
+                f.weight_accumulator,
+                0.0,
+                1.0,
+            ),
+            angle_start: angle(
+                angle_start,
+                "angle_start",
+                0.0,
+                LARGEST_ANGLE + f.angle_accumulator.ulp(),
+            ),
+            angle_step: angle(angle_step, "angle_step", -LARGEST_ANGLE, LARGEST_ANGLE),
             exponent: self.power_unit().exponent_input(core),
         }
     }
 
     fn light_inputs(&self, _core: &CoreParameters, index: usize) -> ConsistentLight<CoreInput> {
-        let vector = |part: &str| {
-            CoreInput::vector(Light, &format!("light{index}_{part}"), self.formats.vector, 1.0)
+        let vector = |meaning: &InputMeaning, part: &str| {
+            CoreInput::vector(meaning, &format!("light{index}_{part}"), self.formats.vector, 1.0)
         };
+        let halfway = || vector(&InputMeaning::unit_halfway(), "halfway");
         ConsistentLight {
-            direction: vector("direction"),
-            halfway: (self.highlight == Highlight::Blinn).then(|| vector("halfway")),
+            direction: vector(&InputMeaning::direction(), "direction"),
+            halfway: (self.highlight == Highlight::Blinn).then(halfway),
         }
     }
 }

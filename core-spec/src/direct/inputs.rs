@@ -1,7 +1,7 @@
 //! The inputs of a `direct` core.
 use super::DirectSpec;
 use crate::core_input::CoreInput;
-use crate::core_input::InputRole::{Light, Surface};
+use crate::input_meaning::InputMeaning;
 use crate::inputs::{CoreInputs, MethodInputs, inputs};
 use crate::parameters::CoreParameters;
 
@@ -49,10 +49,15 @@ impl MethodInputs for DirectSpec {
     fn span_inputs(&self, core: &CoreParameters) -> DirectSpan<CoreInput> {
         let f = &self.formats;
         let weight = f.weight_accumulator;
+        let weight_step = InputMeaning::weight_step();
+        let spread = InputMeaning::surface(
+            "how far the ends' normals are apart",
+            "|B - A|^2 of the unit normals A and B at the first and the last pixel",
+        );
         DirectSpan {
-            weight_step: CoreInput::between(Surface, "weight_step", weight, 0.0, 1.0),
-            spread: CoreInput::between(Surface, "spread", f.spread, 0.0, 4.0),
-            view: self.ends("view"),
+            weight_step: CoreInput::between(weight_step, "weight_step", weight, 0.0, 1.0),
+            spread: CoreInput::between(spread, "spread", f.spread, 0.0, 4.0),
+            view: self.ends("N.V", "view"),
             exponent: self.power_unit().exponent_input(core),
         }
     }
@@ -60,20 +65,31 @@ impl MethodInputs for DirectSpec {
     fn light_inputs(&self, _core: &CoreParameters, index: usize) -> DirectLight<CoreInput> {
         let (dot_view, component) = (format!("light{index}_dot_view"), self.formats.component);
         DirectLight {
-            light: self.ends(&format!("light{index}")),
+            light: self.ends("N.L", &format!("light{index}")),
             // Spans without a normal have another one.
-            light_dot_view: CoreInput::between(Light, dot_view, component, -1.0, 1.0)
-                .held_for_a_span(),
+            light_dot_view: CoreInput::between(
+                InputMeaning::light_dot_view_of_spans(),
+                dot_view,
+                component,
+                -1.0,
+                1.0,
+            )
+            .held_for_a_span(),
         }
     }
 }
 
 impl DirectSpec {
-    fn ends(&self, name: &str) -> Ends<CoreInput> {
+    /// The inputs of a `value` that is linear along the span.
+    fn ends(&self, value: &str, name: &str) -> Ends<CoreInput> {
         let (component, sum) = (self.formats.component, self.formats.component_sum());
+        let [start, delta] = InputMeaning::along_span(
+            value,
+            "with N the unit normal at the pixel, interpolated from the vertices'",
+        );
         Ends {
-            start: CoreInput::between(Surface, format!("{name}_start"), component, -1.0, 1.0),
-            delta: CoreInput::between(Surface, format!("{name}_delta"), sum, -2.0, 2.0),
+            start: CoreInput::between(start, format!("{name}_start"), component, -1.0, 1.0),
+            delta: CoreInput::between(delta, format!("{name}_delta"), sum, -2.0, 2.0),
         }
     }
 }

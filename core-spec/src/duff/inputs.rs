@@ -1,11 +1,11 @@
 //! The inputs of a `duff` core.
 use super::{DuffSpec, Highlight};
 use crate::core_input::CoreInput;
-use crate::core_input::InputRole::Light;
+use crate::input_meaning::InputMeaning;
 use crate::inputs::{CoreInputs, MethodInputs, inputs};
 use crate::linear::Linear;
 use crate::parameters::CoreParameters;
-use crate::quadratic::Quadratic;
+use crate::quadratic::{Quadratic, REFLECTED};
 
 inputs! {
     /// Inputs that the lights of a span have in common.
@@ -44,9 +44,9 @@ impl MethodInputs for DuffSpec {
 
     fn span_inputs(&self, core: &CoreParameters) -> DuffSpan<CoreInput> {
         let f = &self.formats;
-        let view = || Linear::inputs("view", f.linear_accumulator);
+        let view = || Linear::inputs("N.V", "view", f.linear_accumulator);
         DuffSpan {
-            denominator: Quadratic::squared_length_inputs("denominator", f.accumulator),
+            denominator: Quadratic::squared_length_inputs("N.N", "denominator", f.accumulator),
             view: self.specular.looks_at_the_eye().then(view),
             exponent: self.power_unit().exponent_input(core),
         }
@@ -55,11 +55,15 @@ impl MethodInputs for DuffSpec {
     fn light_inputs(&self, _core: &CoreParameters, index: usize) -> DuffLight<CoreInput> {
         let f = &self.formats;
         let called = |input: &str| format!("light{index}_{input}");
-        let halfway = || Linear::inputs(&called("halfway"), f.linear_accumulator);
-        let numerator = || Quadratic::reflected_inputs(&called("numerator"), f.accumulator);
-        let dot_view = || CoreInput::between(Light, called("dot_view"), f.cosine, -1.0, 1.0);
+        let halfway = || Linear::inputs("N.H", &called("halfway"), f.linear_accumulator);
+        let numerator =
+            || Quadratic::reflected_inputs(REFLECTED, &called("numerator"), f.accumulator);
+        let dot_view = || {
+            let meaning = InputMeaning::light_dot_view();
+            CoreInput::between(meaning, called("dot_view"), f.cosine, -1.0, 1.0)
+        };
         DuffLight {
-            cosine: Linear::inputs(&called("cosine"), f.linear_accumulator),
+            cosine: Linear::inputs("N.L", &called("cosine"), f.linear_accumulator),
             halfway: (self.specular == Highlight::Blinn).then(halfway),
             numerator: (self.specular == Highlight::Quotient).then(numerator),
             dot_view: self.specular.looks_at_the_eye().then(dot_view),

@@ -3,7 +3,7 @@ use specula_datapath::Format;
 
 use super::{GouraudSpec, Interpolation};
 use crate::core_input::CoreInput;
-use crate::core_input::InputRole::Surface;
+use crate::input_meaning::InputMeaning;
 use crate::inputs::{CoreInputs, MethodInputs, NoInputs, inputs};
 use crate::parameters::CoreParameters;
 
@@ -41,26 +41,39 @@ impl MethodInputs for GouraudSpec {
 
     fn light_inputs(&self, _core: &CoreParameters, index: usize) -> GouraudLight<CoreInput> {
         GouraudLight {
-            diffuse_intensity: self.intensity(&format!("light{index}_diffuse_intensity")),
-            specular_intensity: self.intensity(&format!("light{index}_specular_intensity")),
+            diffuse_intensity: self
+                .intensity("max(N.L, 0)", &format!("light{index}_diffuse_intensity")),
+            specular_intensity: self
+                .intensity("max(R.L, 0)^n", &format!("light{index}_specular_intensity")),
         }
     }
 }
 
 impl GouraudSpec {
-    fn intensity(&self, name: &str) -> Intensity<CoreInput> {
-        let input = |name: &str, format: Format, low: f64| {
-            CoreInput::between(Surface, name, format, low, 1.0)
+    /// The inputs of a `value`, a formula, along a span.
+    fn intensity(&self, value: &str, name: &str) -> Intensity<CoreInput> {
+        let input = |meaning: InputMeaning, name: &str, format: Format, low: f64| {
+            CoreInput::between(meaning, name, format, low, 1.0)
         };
+        let of_vertices = format!("{value}, interpolated from the vertices',");
+        let start = InputMeaning::at_first_pixel(&of_vertices);
+        let of_polygon =
+            InputMeaning::surface(format!("{value} of the polygon"), "the same at its middle");
         let accumulator = self.formats.accumulator;
         match self.interpolation {
             Interpolation::Linear => Intensity {
-                start: input(&format!("{name}_start"), accumulator, 0.0),
-                step: Some(input(&format!("{name}_step"), accumulator, -1.0)),
+                start: input(start, &format!("{name}_start"), accumulator, 0.0),
+                step: Some(input(
+                    InputMeaning::step(&of_vertices),
+                    &format!("{name}_step"),
+                    accumulator,
+                    -1.0,
+                )),
             },
-            Interpolation::Uniform => {
-                Intensity { start: input(name, self.formats.intensity, 0.0), step: None }
-            }
+            Interpolation::Uniform => Intensity {
+                start: input(of_polygon, name, self.formats.intensity, 0.0),
+                step: None,
+            },
         }
     }
 }

@@ -1,10 +1,10 @@
 //! The inputs of a `hybrid` core.
 use super::HybridSpec;
 use crate::core_input::CoreInput;
-use crate::core_input::InputRole::Surface;
+use crate::input_meaning::InputMeaning;
 use crate::inputs::{CoreInputs, MethodInputs, inputs};
 use crate::parameters::CoreParameters;
-use crate::quadratic::Quadratic;
+use crate::quadratic::{Quadratic, REFLECTED};
 
 inputs! {
     /// Inputs that the lights of a span have in common.
@@ -38,7 +38,11 @@ impl MethodInputs for HybridSpec {
 
     fn span_inputs(&self, core: &CoreParameters) -> HybridSpan<CoreInput> {
         HybridSpan {
-            denominator: Quadratic::squared_length_inputs("denominator", self.formats.accumulator),
+            denominator: Quadratic::squared_length_inputs(
+                "N.N",
+                "denominator",
+                self.formats.accumulator,
+            ),
             exponent: self.power_unit().exponent_input(core),
         }
     }
@@ -46,13 +50,15 @@ impl MethodInputs for HybridSpec {
     fn light_inputs(&self, _core: &CoreParameters, index: usize) -> HybridLight<CoreInput> {
         let f = &self.formats;
         let name = |part: &str| format!("light{index}_{part}");
-        let intensity = |part: &str, low: f64| {
-            CoreInput::between(Surface, name(part), f.diffuse_accumulator, low, 1.0)
+        let intensity = |meaning: InputMeaning, part: &str, low: f64| {
+            CoreInput::between(meaning, name(part), f.diffuse_accumulator, low, 1.0)
         };
+        let value = "max(N.L, 0), interpolated from the vertices',";
+        let [start, step] = [InputMeaning::at_first_pixel(value), InputMeaning::step(value)];
         HybridLight {
-            numerator: Quadratic::reflected_inputs(&name("numerator"), f.accumulator),
-            intensity_start: intensity("intensity_start", 0.0),
-            intensity_step: intensity("intensity_step", -1.0),
+            numerator: Quadratic::reflected_inputs(REFLECTED, &name("numerator"), f.accumulator),
+            intensity_start: intensity(start, "intensity_start", 0.0),
+            intensity_step: intensity(step, "intensity_step", -1.0),
         }
     }
 }

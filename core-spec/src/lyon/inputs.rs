@@ -1,9 +1,10 @@
 //! The inputs of a `lyon` core.
 use specula_datapath::Format;
 
-use super::{LyonSpec, Normals, ShapeDatapath};
+use super::{Halfway, LyonSpec, Normals, ShapeDatapath, WrapAxis};
 use crate::core_input::CoreInput;
-use crate::core_input::InputRole::{Exponent, Light, Surface};
+use crate::core_input::InputRole::Exponent;
+use crate::input_meaning::InputMeaning;
 use crate::inputs::{CoreInputs, MethodInputs, inputs};
 use crate::parameters::CoreParameters;
 
@@ -48,21 +49,30 @@ impl MethodInputs for LyonSpec {
     fn span_inputs(&self, core: &CoreParameters) -> LyonSpan<CoreInput> {
         let f = &self.formats;
         let changes = self.normals != Normals::Flat;
-        let vector = |name: &str| CoreInput::vector(Surface, name, f.vector, 1.0);
-        let sum = |name: &str| CoreInput::vector(Surface, name, f.vector_sum(), 2.0);
-        let number =
-            |name: &str, format: Format| CoreInput::between(Surface, name, format, 0.0, 1.0);
+        let vector =
+            |meaning: &InputMeaning, name: &str| CoreInput::vector(meaning, name, f.vector, 1.0);
+        let sum = |meaning: &InputMeaning, name: &str| {
+            CoreInput::vector(meaning, name, f.vector_sum(), 2.0)
+        };
+        let number = |meaning: InputMeaning, name: &str, format: Format| {
+            CoreInput::between(meaning, name, format, 0.0, 1.0)
+        };
+        let [start, delta] = self.normal_meanings();
         LyonSpan {
             normal_start: match self.normals {
-                Normals::Linear => vector("normal_start"),
-                Normals::Flat => vector("normal"),
-                Normals::Wrapped if self.follows() => vector("normal_start"),
-                Normals::Wrapped => sum("wrap_start"),
+                Normals::Linear => vector(&start, "normal_start"),
+                Normals::Flat => vector(&start, "normal"),
+                Normals::Wrapped if self.follows() => vector(&start, "normal_start"),
+                Normals::Wrapped => sum(&start, "wrap_start"),
             },
-            normal_delta: changes.then(|| sum("normal_delta")),
-            weight_step: changes.then(|| number("weight_step", f.weight_accumulator)),
-            wrap_axis: (self.normals == Normals::Wrapped).then(|| vector("wrap_axis")),
-            wrap_follows: self.follows().then(|| number("wrap_follows", Format::unsigned(1, 0))),
+            normal_delta: changes.then(|| sum(&delta, "normal_delta")),
+            weight_step: changes
+                .then(|| number(InputMeaning::weight_step(), "weight_step", f.weight_accumulator)),
+            wrap_axis: (self.normals == Normals::Wrapped)
+                .then(|| vector(&self.axis_meaning(), "wrap_axis")),
+            wrap_follows: self
+                .follows()
+                .then(|| number(follows_meaning(), "wrap_follows", Format::unsigned(1, 0))),
             shininess: self.shininess_input(core),
         }
     }
@@ -74,14 +84,15 @@ impl MethodInputs for LyonSpec {
             if self.difference.takes_unit_halfway() {
                 // g2 makes h longer than 1 by 0.2 % at most (methods B9), and that only where it is
                 // no nearer than 20 degrees to an axis.
-                CoreInput::vector(Light, &name, f.vector, 1.0)
+                CoreInput::vector(&self.halfway_meaning(), &name, f.vector, 1.0)
             } else {
-                CoreInput::vector(Light, &name, f.vector_sum(), 2.0)
+                let meaning = InputMeaning::light("L + V", "with V = (0, 0, 1)");
+                CoreInput::vector(&meaning, &name, f.vector_sum(), 2.0)
             }
         };
         let direction = format!("light{index}_direction");
         LyonLight {
-            direction: CoreInput::vector(Light, &direction, f.vector, 1.0),
+            direction: CoreInput::vector(&InputMeaning::direction(), &direction, f.vector, 1.0),
             halfway: (self.difference.takes_halfway() || self.difference.takes_unit_halfway())
                 .then(halfway),
         }
@@ -89,17 +100,69 @@ impl MethodInputs for LyonSpec {
 }
 
 impl LyonSpec {
+    /// What the normal at the first pixel is, and what it changes by.
+    fn normal_meanings(&self) -> [InputMeaning; 2] {
+        let wrapped = "vertex normals interpolated at the pixel's centre, of unit length, plus w";
+        match self.normals {
+            Normals::Flat => {
+                let computed = "the unit normal on the side that is seen";
+                let normal = InputMeaning::surface("N, the polygon's normal", computed);
+                [normal.clone(), normal]
+            }
+            Normals::Wrapped if !self.follows() => InputMeaning::along_span("N + w", wrapped),
+            Normals::Wrapped => InputMeaning::along_span(
+                "the normal N",
+                "vertex normals interpolated at the pixel's centre, of unit length",
+            ),
+            Normals::Linear => InputMeaning::normal_along_span(),
+        }
+    }
+
+    /// What normals are wrapped around.
+    fn axis_meaning(&self) -> InputMeaning {
+        let computed = match self.axis {
+            WrapAxis::Face => {
+                "the polygon's unit normal; the unit bisector of the ends' normals where it is 90 \
+                 degrees or more from one of them"
+            }
+            WrapAxis::Bisector => "the unit bisector of the ends' normals",
+            WrapAxis::Previous => {
+                "the first pixel's unit normal where wrap_follows is 1, else the unit bisector of \
+                 the ends' normals"
+            }
+        };
+        InputMeaning::surface("w, what normals are wrapped around", computed)
+    }
+
+    /// The half-way vector of about unit length.
+    fn halfway_meaning(&self) -> InputMeaning {
+        match self.halfway {
+            Halfway::Unit => InputMeaning::unit_halfway(),
+            Halfway::Half => InputMeaning::light("h", "(L + V)/2 with V = (0, 0, 1)"),
+            Halfway::HalfG2 => InputMeaning::light(
+                "h, times about 1/|h|",
+                "h (1 + (y + y^2)/2) with h = (L + V)/2, V = (0, 0, 1) and y = 1 - h.h",
+            ),
+        }
+    }
+
     fn shininess_input(&self, core: &CoreParameters) -> CoreInput {
         let largest = core.largest_shininess;
         match self.shape {
             ShapeDatapath::FK => {
                 let format = Format::unsigned(u32::BITS - largest.leading_zeros(), 0);
-                CoreInput::between(Exponent, "shininess", format, 1.0, f64::from(largest))
+                let meaning =
+                    InputMeaning::of(Exponent, "the highlight's exponent", "the material's n");
+                CoreInput::between(meaning, "shininess", format, 1.0, f64::from(largest))
             }
             ShapeDatapath::Root => {
                 let root = |shininess| f64::from(self.squared_root_shininess(shininess)).sqrt();
+                let squared = match self.squared_root_shininess(1) {
+                    1 => "the root of the material's n",
+                    _ => "the root of twice the material's n",
+                };
                 CoreInput::between(
-                    Exponent,
+                    InputMeaning::of(Exponent, "the root of the highlight's exponent", squared),
                     "root_shininess",
                     self.formats.root_shininess,
                     root(1),
@@ -108,4 +171,13 @@ impl LyonSpec {
             }
         }
     }
+}
+
+/// Whether normals follow.
+fn follows_meaning() -> InputMeaning {
+    InputMeaning::surface(
+        "whether each pixel's normal is wrapped around the one before",
+        "1 where the ends' normals are up to 30 degrees apart, or up to 120 in a span of 17 pixels \
+         or more",
+    )
 }

@@ -5,6 +5,7 @@ use specula_scene::needs::LocalKind;
 use super::{Highlight, PhongSpec, Places};
 use crate::core_input::CoreInput;
 use crate::core_input::InputRole::{self, Exponent, Light, Surface};
+use crate::input_meaning::InputMeaning;
 use crate::inputs::{CoreInputs, MethodInputs, inputs};
 use crate::parameters::CoreParameters;
 
@@ -61,13 +62,25 @@ impl MethodInputs for PhongSpec {
     type LightGroup = PhongLight<CoreInput>;
 
     fn span_inputs(&self, core: &CoreParameters) -> PhongSpan<CoreInput> {
-        let largest = self.highlight.exponent_factor() * core.largest_shininess;
+        let factor = self.highlight.exponent_factor();
+        let largest = factor * core.largest_shininess;
         let weight = self.formats.weight_accumulator;
+        let exponent = InputMeaning::of(
+            Exponent,
+            "the highlight's exponent",
+            format!("{factor} times the material's n"),
+        );
         PhongSpan {
-            normal: self.straight("normal"),
-            weight_step: CoreInput::between(Surface, "weight_step", weight, 0.0, 1.0),
-            shininess: whole_number(Exponent, "shininess", largest),
-            eye: core.local_eye.then(|| self.way(Surface, "eye")),
+            normal: self.straight(&InputMeaning::normal_along_span(), "normal"),
+            weight_step: CoreInput::between(
+                InputMeaning::weight_step(),
+                "weight_step",
+                weight,
+                0.0,
+                1.0,
+            ),
+            shininess: whole_number(exponent, "shininess", largest),
+            eye: core.local_eye.then(|| self.way(&TO_EYE, "eye")),
         }
     }
 
@@ -76,53 +89,101 @@ impl MethodInputs for PhongSpec {
         let kind =
             index.checked_sub(core.lights_at_infinity()).map(|local| core.local_lights[local]);
         let name = |part: &str| format!("light{index}_{part}");
-        let vector = |part: &str| CoreInput::vector(Light, &name(part), f.vector, 1.0);
+        let vector = |meaning: &InputMeaning, part: &str| {
+            CoreInput::vector(meaning, &name(part), f.vector, 1.0)
+        };
         let is_spot = matches!(kind, Some(LocalKind::Spot { .. }));
-        let exponent = || whole_number(Light, &name("exponent"), core.largest_spot_exponent());
+        let exponent = || {
+            let meaning = InputMeaning::light("the spot's exponent", "as the light has it");
+            whole_number(meaning, &name("exponent"), core.largest_spot_exponent())
+        };
+        let axis =
+            InputMeaning::light("the spot's axis", "the unit vector along which the light shines");
+        let dot_view = InputMeaning::light_dot_view();
+        let gain = InputMeaning::light("1/|L + V|", "with V = (0, 0, 1); saturated where L = -V");
         let constant = kind.is_none() && !core.local_eye;
         PhongLight {
-            direction: kind.is_none().then(|| vector("direction")),
-            way: kind.is_some().then(|| self.way(Light, &name("way"))),
-            axis: (is_spot && self.places == Places::Exact).then(|| vector("axis")),
+            direction: kind.is_none().then(|| vector(&InputMeaning::direction(), "direction")),
+            way: kind.is_some().then(|| self.way(&TO_LIGHT, &name("way"))),
+            axis: (is_spot && self.places == Places::Exact).then(|| vector(&axis, "axis")),
             exponent: is_spot.then(exponent),
             light_dot_view: (constant && self.highlight == Highlight::Reflection)
-                .then(|| CoreInput::between(Light, name("light_dot_view"), f.cosine, -1.0, 1.0)),
+                .then(|| CoreInput::between(dot_view, name("light_dot_view"), f.cosine, -1.0, 1.0)),
             halfway_gain: (constant && self.highlight != Highlight::Reflection)
-                .then(|| CoreInput::whole(Light, name("halfway_gain"), f.gain)),
+                .then(|| CoreInput::whole(gain, name("halfway_gain"), f.gain)),
         }
     }
 }
 
+/// The place of a light or of the eye.
+struct Place {
+    /// What tells where it is, besides the surface.
+    role: InputRole,
+    /// The vector to it, in words.
+    vector: &'static str,
+    /// What that is wrapped around, and how the host computes it.
+    axis: &'static str,
+}
+
+const TO_EYE: Place = Place {
+    role: Surface,
+    vector: "the vector to the eye",
+    axis: "(0, 0, 1); the unit bisector of the ends' where that is 90 degrees or more from one",
+};
+const TO_LIGHT: Place = Place {
+    role: Light,
+    vector: "the vector to the light",
+    axis: "against a spot's axis; for other lights the unit bisector of the ends'",
+};
+
 impl PhongSpec {
     /// A vector that is brought to unit length.
-    fn straight(&self, name: &str) -> Way<CoreInput> {
+    fn straight(&self, [start, delta]: &[InputMeaning; 2], name: &str) -> Way<CoreInput> {
         let (vector, sum) = (self.formats.vector, self.formats.vector_sum());
         Way {
-            start: CoreInput::vector(Surface, &format!("{name}_start"), vector, 1.0),
-            delta: CoreInput::vector(Surface, &format!("{name}_delta"), sum, 2.0),
+            start: CoreInput::vector(start, &format!("{name}_start"), vector, 1.0),
+            delta: CoreInput::vector(delta, &format!("{name}_delta"), sum, 2.0),
             axis: None,
         }
     }
 
-    /// A vector to a place; what it is wrapped around tells of `axis`, from span to span.
-    fn way(&self, axis: InputRole, name: &str) -> Way<CoreInput> {
+    /// A vector to a place.
+    fn way(&self, place: &Place, name: &str) -> Way<CoreInput> {
         let (vector, sum) = (self.formats.vector, self.formats.vector_sum());
         match self.places {
-            Places::Exact => self.straight(name),
-            Places::Wrapped => Way {
-                start: CoreInput::vector(Surface, &format!("{name}_wrap_start"), sum, 2.0),
-                delta: CoreInput::vector(Surface, &format!("{name}_wrap_delta"), sum, 2.0),
-                axis: Some(
-                    CoreInput::vector(axis, &format!("{name}_wrap_axis"), vector, 1.0)
-                        .map(CoreInput::held_for_a_span),
-                ),
-            },
+            Places::Exact => {
+                let along = InputMeaning::along_span(
+                    place.vector,
+                    "from the surface to the place; those of both ends scaled by one factor so \
+                     that the longer has length 1",
+                );
+                self.straight(&along, name)
+            }
+            Places::Wrapped => {
+                let [start, delta] = InputMeaning::along_span(
+                    &format!("{}, of unit length, plus w,", place.vector),
+                    "from the surface to the place",
+                );
+                let axis = InputMeaning::of(
+                    place.role,
+                    format!("w, what {} is wrapped around", place.vector),
+                    place.axis,
+                );
+                Way {
+                    start: CoreInput::vector(&start, &format!("{name}_wrap_start"), sum, 2.0),
+                    delta: CoreInput::vector(&delta, &format!("{name}_wrap_delta"), sum, 2.0),
+                    axis: Some(
+                        CoreInput::vector(&axis, &format!("{name}_wrap_axis"), vector, 1.0)
+                            .map(CoreInput::held_for_a_span),
+                    ),
+                }
+            }
         }
     }
 }
 
 /// A number from 1 to `largest`.
-fn whole_number(role: InputRole, name: &str, largest: u32) -> CoreInput {
+fn whole_number(meaning: InputMeaning, name: &str, largest: u32) -> CoreInput {
     let format = Format::unsigned(u32::BITS - largest.leading_zeros(), 0);
-    CoreInput::between(role, name, format, 1.0, f64::from(largest))
+    CoreInput::between(meaning, name, format, 1.0, f64::from(largest))
 }

@@ -1,10 +1,10 @@
 //! The inputs of a `reflection` core.
 use super::{Highlight, ReflectionSpec};
 use crate::core_input::CoreInput;
-use crate::core_input::InputRole::Light;
+use crate::input_meaning::InputMeaning;
 use crate::inputs::{CoreInputs, MethodInputs, inputs};
 use crate::parameters::CoreParameters;
-use crate::quadratic::Quadratic;
+use crate::quadratic::{Quadratic, REFLECTED};
 
 inputs! {
     /// Inputs that the lights of a span have in common.
@@ -45,11 +45,12 @@ impl MethodInputs for ReflectionSpec {
     fn span_inputs(&self, core: &CoreParameters) -> ReflectionSpan<CoreInput> {
         let accumulator = self.formats.accumulator;
         ReflectionSpan {
-            denominator: Quadratic::squared_length_inputs("denominator", accumulator),
-            view: self
-                .only_with(Highlight::Eq34, || Quadratic::reflected_inputs("view", accumulator)),
+            denominator: Quadratic::squared_length_inputs("H.H", "denominator", accumulator),
+            view: self.only_with(Highlight::Eq34, || {
+                Quadratic::reflected_inputs("2(H.n)(H.V) - (n.V)(H.H)", "view", accumulator)
+            }),
             normal_squared: self.only_with(Highlight::Hybrid, || {
-                Quadratic::squared_length_inputs("normal_squared", accumulator)
+                Quadratic::squared_length_inputs("N.N", "normal_squared", accumulator)
             }),
             exponent: self.power_unit().exponent_input(core),
         }
@@ -57,14 +58,18 @@ impl MethodInputs for ReflectionSpec {
 
     fn light_inputs(&self, _core: &CoreParameters, index: usize) -> ReflectionLight<CoreInput> {
         let called = |input: &str| format!("light{index}_{input}");
-        let reflected =
-            |input: &str| Quadratic::reflected_inputs(&called(input), self.formats.accumulator);
+        let reflected = |value: &str, input: &str| {
+            Quadratic::reflected_inputs(value, &called(input), self.formats.accumulator)
+        };
         ReflectionLight {
-            cosine: reflected("cosine"),
-            halfway: self.only_with(Highlight::Blinn, || reflected("halfway")),
-            numerator: self.only_with(Highlight::Hybrid, || reflected("numerator")),
+            cosine: reflected("2(H.n)(H.L) - (n.L)(H.H)", "cosine"),
+            halfway: self.only_with(Highlight::Blinn, || {
+                reflected("2(H.n)(H.h) - (n.h)(H.H) with h = (L + V)/|L + V|", "halfway")
+            }),
+            numerator: self.only_with(Highlight::Hybrid, || reflected(REFLECTED, "numerator")),
             dot_view: self.only_with(Highlight::Eq34, || {
-                CoreInput::between(Light, called("dot_view"), self.formats.cosine, -1.0, 1.0)
+                let meaning = InputMeaning::light_dot_view();
+                CoreInput::between(meaning, called("dot_view"), self.formats.cosine, -1.0, 1.0)
             }),
         }
     }

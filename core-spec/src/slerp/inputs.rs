@@ -3,7 +3,7 @@ use specula_datapath::Format;
 
 use super::{Form, LARGEST_WEIGHT, SlerpSpec};
 use crate::core_input::CoreInput;
-use crate::core_input::InputRole::{self, Light, Surface};
+use crate::input_meaning::InputMeaning;
 use crate::inputs::{CoreInputs, MethodInputs, inputs};
 use crate::parameters::CoreParameters;
 
@@ -67,6 +67,39 @@ inputs! {
 /// The inputs of a core, or whatever belongs to each of them.
 pub type SlerpInputs<T> = CoreInputs<SlerpSpan<T>, SlerpLight<T>, T>;
 
+/// What inputs of a span are, and how the host computes them; f is the angle between the unit
+/// normals at the first and the last pixel.
+const TURN_COSINE: (&str, &str) = (
+    "by how much a pixel turns the normal, the cosine",
+    "cos(f/(pixels - 1)); 1 for one pixel and where normals are interpolated linearly",
+);
+const TURN_SINE: (&str, &str) = (
+    "by how much a pixel turns the normal, the sine",
+    "sin(f/(pixels - 1)), 0 for one pixel; 1/(pixels - 1) where normals are interpolated linearly",
+);
+const TURN_BACK: (&str, &str) = (
+    "the sine by which cosines turn",
+    "sin(f/(pixels - 1)); 0 where normals are interpolated linearly",
+);
+const RISING_COSINE: (&str, &str) = (
+    "the cosine beside the end's weight, at the first pixel",
+    "1/sin f for f from 10 to 170 degrees, else 1",
+);
+const FALLING_COSINE: (&str, &str) = (
+    "the cosine beside the start's weight, at the first pixel",
+    "cos f/sin f for f from 10 to 170 degrees, 1 below and 0 above",
+);
+const START: (&str, &str) =
+    ("A, the normal at the first pixel", "A is the unit normal at the first pixel");
+const ACROSS: (&str, &str) = (
+    "T, across A",
+    "T is the unit vector perpendicular to A towards the last pixel's normal, 0 where that is A",
+);
+const END: (&str, &str) = (
+    "B, the normal at the last pixel",
+    "the unit normal at the last pixel; T from 170 degrees between the ends on",
+);
+
 /// Angles are 0 to 180 degrees, so no sine is negative.
 impl MethodInputs for SlerpSpec {
     type SpanGroup = SlerpSpan<CoreInput>;
@@ -75,21 +108,34 @@ impl MethodInputs for SlerpSpec {
     fn span_inputs(&self, core: &CoreParameters) -> SlerpSpan<CoreInput> {
         let (turn, state, ends) =
             (self.formats.turn, self.formats.scaled_state, self.between_ends());
-        let number = |name: &str, format: Format, low: f64, high: f64| {
-            CoreInput::between(Surface, name, format, low, high)
+        let number = |(what, computed), name: &str, format: Format, low: f64, high: f64| {
+            CoreInput::between(InputMeaning::surface(what, computed), name, format, low, high)
         };
-        let vector = |name: &str| CoreInput::vector(Surface, name, self.formats.vector, 1.0);
+        let vector = |(what, computed), name: &str| {
+            CoreInput::vector(
+                &InputMeaning::surface(what, computed),
+                name,
+                self.formats.vector,
+                1.0,
+            )
+        };
         SlerpSpan {
-            turn_cosine: number("turn_cosine", turn, -1.0, 1.0),
-            turn_sine: number("turn_sine", turn, 0.0, 1.0),
-            turn_back: ends.then(|| number("turn_back", turn, 0.0, 1.0)),
-            rising_cosine: ends.then(|| number("rising_cosine", state, 0.0, LARGEST_WEIGHT)),
-            falling_cosine: ends
-                .then(|| number("falling_cosine", state, -LARGEST_WEIGHT, LARGEST_WEIGHT)),
-            view: self.on_arc("view"),
+            turn_cosine: number(TURN_COSINE, "turn_cosine", turn, -1.0, 1.0),
+            turn_sine: number(TURN_SINE, "turn_sine", turn, 0.0, 1.0),
+            turn_back: ends.then(|| number(TURN_BACK, "turn_back", turn, 0.0, 1.0)),
+            rising_cosine: ends
+                .then(|| number(RISING_COSINE, "rising_cosine", state, 0.0, LARGEST_WEIGHT)),
+            falling_cosine: ends.then(|| {
+                number(FALLING_COSINE, "falling_cosine", state, -LARGEST_WEIGHT, LARGEST_WEIGHT)
+            }),
+            view: self.on_arc("V", "view"),
             normal: (self.form == Form::Vector).then(|| Axes {
-                start: vector("normal_start"),
-                other: vector(if ends { "normal_end" } else { "normal_across" }),
+                start: vector(START, "normal_start"),
+                other: if ends {
+                    vector(END, "normal_end")
+                } else {
+                    vector(ACROSS, "normal_across")
+                },
             }),
             exponent: self.power_unit().exponent_input(core),
         }
@@ -98,23 +144,33 @@ impl MethodInputs for SlerpSpec {
     fn light_inputs(&self, _core: &CoreParameters, index: usize) -> SlerpLight<CoreInput> {
         let name = |part: &str| format!("light{index}_{part}");
         SlerpLight {
-            light: self.on_arc(&format!("light{index}")),
-            direction: (self.form == Form::Vector)
-                .then(|| CoreInput::vector(Light, &name("direction"), self.formats.vector, 1.0)),
+            light: self.on_arc("L", &format!("light{index}")),
+            direction: (self.form == Form::Vector).then(|| {
+                let meaning = InputMeaning::direction();
+                CoreInput::vector(&meaning, &name("direction"), self.formats.vector, 1.0)
+            }),
             // Spans without a normal have another one.
-            light_dot_view: self.component(Light, &name("dot_view")).held_for_a_span(),
+            light_dot_view: self
+                .component(InputMeaning::light_dot_view_of_spans(), &name("dot_view"))
+                .held_for_a_span(),
         }
     }
 }
 
 impl SlerpSpec {
-    fn on_arc(&self, name: &str) -> Option<OnArc<CoreInput>> {
-        let component = |end: &str| self.component(Surface, &format!("{name}_{end}"));
-        (self.form == Form::Scalar)
-            .then(|| OnArc { start: component("start"), across: component("across") })
+    /// The inputs of N.`x` along an arc.
+    fn on_arc(&self, x: &str, name: &str) -> Option<OnArc<CoreInput>> {
+        let component = |axis: &str, computed: &'static str, end: &str| {
+            let meaning = InputMeaning::surface(format!("{axis}.{x}"), computed);
+            self.component(meaning, &format!("{name}_{end}"))
+        };
+        (self.form == Form::Scalar).then(|| OnArc {
+            start: component("A", START.1, "start"),
+            across: component("T", ACROSS.1, "across"),
+        })
     }
 
-    fn component(&self, role: InputRole, name: &str) -> CoreInput {
-        CoreInput::between(role, name, self.formats.component, -1.0, 1.0)
+    fn component(&self, meaning: InputMeaning, name: &str) -> CoreInput {
+        CoreInput::between(meaning, name, self.formats.component, -1.0, 1.0)
     }
 }

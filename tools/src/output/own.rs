@@ -87,7 +87,13 @@ fn begins_like_ours(name: &str, path: &Path) -> bool {
     match name {
         SpecFile::NAME => begins(SpecFile::ABOUT),
         _ if is_journal(name) => read().is_ok_and(|bytes| Journal::has_written(&bytes)),
-        _ if name.ends_with(".v") => begins("// Specula "),
+        "Makefile" => begins("# Specula "),
+        _ if [".lpf", ".xdc", ".sdc"].iter().any(|end| name.ends_with(end)) => begins("# Specula "),
+        _ if name.ends_with(".core") => begins("CAPI=2:\n# Specula "),
+        _ if name.ends_with(".md") => begins("<!-- Specula "),
+        _ if [".v", ".h", ".rdl", ".hex"].iter().any(|end| name.ends_with(end)) => {
+            begins("// Specula ")
+        }
         _ => false,
     }
 }
@@ -141,6 +147,10 @@ mod tests {
         );
         assert!(!is_own("results.jsonl", "{\"accuracy\":1}\n"));
         assert!(!is_own("report.md", "# teapot\n"));
+        assert!(is_own("README.md", "<!-- Specula 0.1.0: a shading core -->\n"));
+        assert!(is_own("Makefile", "# Specula 0.1.0: simulation\n"));
+        assert!(is_own("teapot_pixels.hex", "// Specula 0.1.0: vectors\n"));
+        assert!(!is_own("Makefile", "all: mine\n") && !is_own("mine.hex", "00\n"));
         let result = "{\"key\":{\"version\":\"0.1.0\"";
         assert!(is_own(".results.jsonl-a1B2c3", "") && is_own(".results.jsonl-a1B2c3", result));
         assert!(!is_own(".results.jsonl-a1B2c3", "mine\n") && !is_own(".tmpa1B2c3", result));

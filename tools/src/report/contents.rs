@@ -12,6 +12,7 @@ use crate::device::Fitted;
 use crate::disagreement::{BeyondBound, CHANNELS, Disagreement};
 use crate::made_for::{MadeFor, Prediction};
 use crate::output::PROGRAM;
+use crate::ports::{Port, ports};
 use crate::run::Run;
 use crate::verilog::bound;
 
@@ -80,6 +81,8 @@ pub struct Report<'a> {
     /// The clocks in the waveform: the first one, and the one behind the last.
     pub trace: Option<[u64; 2]>,
     pub size: Size,
+    /// The core's ports, in the order of the Verilog.
+    pub ports: Vec<Port>,
     /// What each need saves against the general core; `None` if this is a general core.
     pub savings: Option<&'a Savings>,
     pub spec: &'a CoreSpec,
@@ -187,6 +190,7 @@ impl<'a> Report<'a> {
             facts: facts::facts(&bench.design, outcome),
             trace: run.window.as_ref().map(|window| [window.start, window.end]),
             size: bench.design.size(),
+            ports: ports(bench.spec, &bench.design),
             savings: run.savings.as_ref(),
             spec: bench.spec,
             files,

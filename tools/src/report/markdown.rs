@@ -4,7 +4,8 @@ use specula_testbench::ErrorFigures;
 
 use super::facts::Fact;
 use super::pictures::{ERROR, EXACT, EXPECTED, SIMULATED};
-use super::{Report, ports, rows, units};
+use super::{Report, rows, units};
+use crate::ports::Port;
 use crate::table::markdown as table;
 use crate::verilog::between_frames;
 use crate::{cmd_needs, waveform, worst_pixel};
@@ -173,7 +174,7 @@ fn built(report: &Report) -> String {
 
 fn ports_of(report: &Report) -> String {
     let design = &report.run.bench.design;
-    let rows = ports::rows(report.spec, design);
+    let rows: Vec<[String; 9]> = report.ports.iter().map(Port::row).collect();
     let (entering, leaving) = match design.interval {
         1 => ("`valid` is high in each clock in which a pixel enters".to_owned(), "that enters in"),
         clocks => (
@@ -186,7 +187,7 @@ fn ports_of(report: &Report) -> String {
          {entering}, and `start` in the first clock of a span only. A span's data inputs are held from\n\
          its first clock to its last; between them and between spans there may be clocks in which `valid` is low. A pixel\n\
          {leaving} clock c leaves in clock c + {}, with `valid_out` high.\n{}",
-        table(["port", "direction", "bits", "format", "meaning"], &rows),
+        table(Port::TITLES, &rows),
         design.depth(),
         between_frames(design).map(|rule| format!("{rule}\n")).unwrap_or_default()
     )

@@ -5,7 +5,6 @@ mod facts;
 mod markdown;
 mod page;
 mod pictures;
-mod ports;
 mod rows;
 mod summary;
 mod units;

@@ -1,5 +1,6 @@
 //! `specula generate`.
 use std::fs;
+use std::process::Command;
 
 use crate::program::Place;
 
@@ -193,4 +194,72 @@ fn a_clock_is_asked_for_on_a_target() {
     assert!(refused(&["--target", "ecp5", "--clock", "0"]).contains("from 1 to 1000 MHz"));
     let run = place.specula(&["run", "torus", "--clock", "max"]);
     assert!(run.stderr.contains("--target <TARGET>"), "{}", run.stderr);
+}
+
+/// The block's folder has everything, works, and can be written again.
+#[test]
+fn a_block_is_written_with_all_it_takes() {
+    let place = Place::new();
+    let words = ["generate", "teapot", "--size", "48x36", "--ip", "-o", "block"];
+    let said = place.succeeds(&words);
+    let names = place.names("block");
+    let mut printed: Vec<&str> =
+        said.lines().filter_map(|line| line.strip_prefix("block/")).collect();
+    printed.sort_unstable();
+    assert_eq!(printed, names);
+    insta::assert_snapshot!("files_of_a_block", names.join("\n"));
+    for name in ["teapot_packet.md", "teapot_axis.v", "README.md"] {
+        let text = fs::read_to_string(place.path("block").join(name)).unwrap();
+        insta::assert_snapshot!(format!("block_{}", name.replace('.', "_")), text);
+    }
+    assert_eq!(place.succeeds(&words), said);
+    if ["make", "iverilog"].into_iter().all(specula_fixtures::tools::is_installed) {
+        let made = Command::new("make")
+            .args(["-C", "block", "sim", "SEED=2"])
+            .current_dir(place.path("."))
+            .output()
+            .unwrap();
+        let said = String::from_utf8_lossy(&made.stdout);
+        assert!(made.status.success() && said.contains("\nPASS: "), "{said}");
+    }
+}
+
+/// A core that is there becomes a block with the spans of a scene as vectors.
+#[test]
+fn a_spec_becomes_a_block_for_a_scene() {
+    let place = Place::new();
+    place.write("ring.toml", "size = [32, 24]\n[[object]]\nprimitive = \"torus\"\n");
+    let core = ["--target", "ecp5", "--clock", "120", "--method", "gouraud"];
+    place.succeeds(&[&["generate", "ring.toml", "-o", "core"], &core[..]].concat());
+    let words =
+        ["generate", "--spec", "core", "--ip", "--word", "64", "--positions", "-o", "block"];
+    let refused = place.specula(&words);
+    assert_eq!(refused.status, Some(2));
+    assert!(refused.stderr.contains("--vectors"), "{}", refused.stderr);
+    place.succeeds(&[&words[..], &["--vectors", "ring.toml", "--spans", "3"]].concat());
+    let text = |name: &str| fs::read_to_string(place.path("block").join(name)).unwrap();
+    assert!(text("ring.lpf").contains("FREQUENCY PORT \"aclk\" 120 MHZ;"));
+    let pixels = text("ring_pixels.hex");
+    // 58 bits, of which bit 56 is `tlast`.
+    let ends = pixels.lines().filter(|line| line.len() == 15 && line.as_bytes()[0] & 1 == 1);
+    assert_eq!(ends.count(), 3, "{pixels}");
+}
+
+#[test]
+fn a_block_is_asked_for_where_it_can_be() {
+    let place = Place::new();
+    let refused = |words: &[&str]| {
+        let ended = place.specula(&[&["generate", "torus"], words].concat());
+        assert_eq!(ended.status, Some(2), "{words:?}");
+        ended.stderr
+    };
+    assert!(refused(&["--ip", "-o", "-"]).contains("--output"));
+    assert!(refused(&["--word", "64"]).contains("--ip"));
+    assert!(refused(&["--ip", "--word", "16"]).contains("32, 64"));
+    assert!(refused(&["--ip", "--spans", "0"]).contains("--spans"));
+    assert!(place.names(".").is_empty());
+    fs::create_dir(place.path("mine")).unwrap();
+    place.write("mine/Makefile", "all:\n");
+    assert!(refused(&["--ip", "--size", "32x24", "-o", "mine"]).contains("Makefile"));
+    assert_eq!(place.names("mine"), ["Makefile"]);
 }

@@ -1,0 +1,100 @@
+//! A block's files in a folder of their own, and frames for it.
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use specula_fixtures::few_spans;
+use specula_flow::stream::{FrameVectors, StreamCore, StreamShape, files};
+use specula_scene::{Frame, Needs};
+use specula_spec::{CoreOptions, CoreSpec, Method, Positions, SpecFile, WordWidth};
+use specula_testbench::{FrameSpans, expected_codes};
+use tempfile::TempDir;
+
+/// A block's files.
+pub struct Block {
+    folder: TempDir,
+    pub words_a_packet: u32,
+    pub latency: u32,
+}
+
+/// Every shape of streams.
+pub fn shapes() -> Vec<StreamShape> {
+    let positions = [Positions::Sent, Positions::Absent];
+    let shape = |word: WordWidth| positions.map(|positions| StreamShape { word, positions });
+    WordWidth::ALL.into_iter().flat_map(shape).collect()
+}
+
+/// Two frames of some spans of one material, which a core of their needs may shade one after the
+/// other: in the second the lights have changed places and all colours are another.
+pub fn frames(seed: u64) -> Vec<Frame> {
+    let mut frame = few_spans::frame(seed, 2, 12);
+    frame.materials.truncate(1);
+    frame.triangles.iter_mut().for_each(|triangle| triangle.material = 0);
+    let mut later = frame.clone();
+    later.lights.reverse();
+    later.spans.truncate(7);
+    for material in &mut later.materials {
+        material.diffuse = [0.1, 0.4, 0.2];
+        material.specular = [0.3, 0.1, 0.5];
+    }
+    vec![frame, later]
+}
+
+/// A core of a method for the needs of the first frame, whatever it is given.
+pub fn core(method: Method, frames: &[Frame], shared: bool) -> CoreSpec {
+    let pipelines = if shared { "shared" } else { "each" };
+    let options: CoreOptions =
+        format!("light_pipelines = \"{pipelines}\"").parse().expect("it is TOML");
+    CoreSpec::for_scene(&Needs::of(&frames[0]), Some(&options), Some(method)).expect("it is one")
+}
+
+impl Block {
+    /// Writes the files of a core with these frames as vectors.
+    pub fn new(spec: &CoreSpec, frames: &[Frame], shape: StreamShape) -> Block {
+        let name = "shader".to_owned();
+        let design = specula_hdl::elaborate(spec, &name).expect("it can be built");
+        let text = SpecFile { name: name.clone(), spec: spec.clone() }.text();
+        let core = StreamCore::new(spec, &design, shape, &text);
+        let vectors = |frame: &Frame| {
+            let spans = FrameSpans::new(frame, spec);
+            let codes = expected_codes(spec, &spans, frame.spans.len()).expect("packets fit");
+            FrameVectors::new(&frame.spans, &spans, &codes)
+        };
+        let vectors: Vec<FrameVectors> = frames.iter().map(vectors).collect();
+        let folder = TempDir::new().expect("there is room for a folder");
+        let written = |name: &str, text: &str| {
+            fs::write(folder.path().join(name), text).expect("a file can be written");
+        };
+        let header = specula_datapath::verilog::Header::default();
+        let verilog = specula_datapath::verilog::print(&design.to_block(), &header);
+        written(&format!("{name}.v"), &verilog);
+        for file in files(&core, &vectors, "specula generate") {
+            written(&file.name, &file.text);
+        }
+        Block { folder, words_a_packet: core.words(), latency: design.latency() }
+    }
+
+    /// The path of a file.
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    /// Runs `make`, which has to succeed, and gives what it prints.
+    pub fn make(&self, arguments: &[&str]) -> String {
+        let (succeeded, said) = self.run("make", arguments);
+        assert!(succeeded, "{arguments:?}: {said}");
+        said
+    }
+
+    /// Runs a program in the folder; whether it succeeds, and what it prints.
+    pub fn run(&self, program: &str, arguments: &[&str]) -> (bool, String) {
+        let folder: &Path = self.folder.path();
+        let ended = Command::new(program)
+            .args(arguments)
+            .current_dir(folder)
+            .output()
+            .expect("the program runs");
+        let said = [ended.stdout, ended.stderr].concat();
+        (ended.status.success(), String::from_utf8_lossy(&said).into_owned())
+    }
+}

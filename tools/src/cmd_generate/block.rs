@@ -1,0 +1,74 @@
+//! `--ip`: the core as a block for a design, with streams, registers, vectors and a bench.
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use specula_datapath::Design;
+use specula_flow::stream::{self, FrameVectors, StreamCore, StreamShape};
+use specula_spec::{Positions, WordWidth};
+use specula_testbench::{FrameSpans, expected_codes};
+
+use crate::error::ToolError;
+use crate::job::Job;
+
+/// Arguments of a block.
+#[derive(Clone, Debug, Args)]
+pub struct BlockArguments {
+    /// Write a block for a design: AXI4-Stream and AXI4-Lite around the core, vectors, a bench
+    #[arg(long)]
+    pub ip: bool,
+    /// Bits of a packet's words [default: 32]
+    #[arg(long, value_name = "BITS", requires = "ip", value_parser = word_parser())]
+    word: Option<WordWidth>,
+    /// Packets and pixels have their position in the picture
+    #[arg(long, requires = "ip")]
+    positions: bool,
+    /// Vectors of the first N spans only [default: the whole frame]
+    #[arg(long, value_name = "N", requires = "ip", value_parser = clap::value_parser!(u32).range(1..))]
+    spans: Option<u32>,
+    /// The scene whose spans are the vectors of a core that a spec.toml describes
+    #[arg(long, value_name = "SCENE", requires = "ip")]
+    pub vectors: Option<String>,
+}
+
+fn word_parser() -> impl TypedValueParser<Value = WordWidth> {
+    PossibleValuesParser::new(["32", "64"])
+        .map(|bits| if bits == "32" { WordWidth::Bits32 } else { WordWidth::Bits64 })
+}
+
+impl BlockArguments {
+    /// Names and texts of the block's files, without the core's own.
+    ///
+    /// # Errors
+    /// [`ToolError::NoVectors`] if the scene has no spans.
+    pub fn files(&self, job: &Job, design: &Design) -> Result<Vec<(String, String)>, ToolError> {
+        let core = StreamCore::new(job.spec(), design, self.shape(), &job.file.text());
+        let command = format!("{} --ip{}", job.origin.command, self.in_words());
+        let files = stream::files(&core, &[self.frame(job)?], &command);
+        Ok(files.into_iter().map(|file| (file.name, file.text)).collect())
+    }
+
+    fn shape(&self) -> StreamShape {
+        let positions = if self.positions { Positions::Sent } else { Positions::Absent };
+        StreamShape { word: self.word.unwrap_or(WordWidth::Bits32), positions }
+    }
+
+    /// The arguments as words of a command, but for the scene of vectors.
+    fn in_words(&self) -> String {
+        let word = self.word.map(|word| format!(" --word {}", word.bits())).unwrap_or_default();
+        let positions = if self.positions { " --positions" } else { "" };
+        let spans = self.spans.map(|spans| format!(" --spans {spans}")).unwrap_or_default();
+        format!("{word}{positions}{spans}")
+    }
+
+    /// What goes in and has to come out.
+    fn frame(&self, job: &Job) -> Result<FrameVectors, ToolError> {
+        let frame = &job.scene.frame;
+        let spans = FrameSpans::new(frame, job.spec());
+        let asked = self.spans.map_or(usize::MAX, |spans| spans as usize);
+        let count = frame.spans.len().min(asked);
+        if count == 0 {
+            return Err(ToolError::NoVectors { scene: job.scene.name.clone() });
+        }
+        let codes = expected_codes(job.spec(), &spans, count)?;
+        Ok(FrameVectors::new(&frame.spans[..count], &spans, &codes))
+    }
+}
