@@ -1,4 +1,5 @@
 //! What keeps a bound from being smaller.
+use super::model::Model;
 use super::trials::{State, Trials};
 
 /// The smallest share of a bound that is worth naming, in LSBs.
@@ -6,24 +7,18 @@ const LEAST_SHARE: f64 = 0.01;
 
 /// The narrowing point that has the largest share of a bound that finer formats cannot lower, in
 /// words.
-pub(super) fn in_words(trials: &Trials, finest: Option<&State>) -> String {
+pub(super) fn in_words(trials: &Trials, finest: Option<State>) -> String {
     let Some(finest) = finest else {
         return "no core in finer formats can be built".to_owned();
     };
-    let points = trials.start().narrowing_points();
-    let share = |point: usize| {
-        // One bit less doubles what is rounded there.
-        let mut coarser = finest.formats.clone();
-        coarser[point] = coarser[point].checked_sub(1)?;
-        let bound = trials.state(coarser)?.tried.bound;
-        Some((point, bound - finest.tried.bound))
-    };
-    let shares = (0..points.len()).filter_map(share);
+    let (points, formats) = (trials.start().narrowing_points(), finest.formats.clone());
+    let model = Model::around(trials, finest);
+    let shares = (0..model.points()).map(|point| (point, model.share(point)));
     let largest = shares.reduce(|best, next| if next.1 > best.1 { next } else { best });
     match largest.filter(|(_, share)| *share >= LEAST_SHARE) {
         Some((point, share)) => {
             let (name, value) = (points[point].name, points[point].value);
-            let bits = finest.formats[point];
+            let bits = formats[point];
             format!(
                 "`{name}` ({value}) is in the way: with {bits} fraction bits, the most that were possible, {share:.3} LSB of it are rounded there"
             )
