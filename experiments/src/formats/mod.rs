@@ -40,7 +40,7 @@ const MOST_MODELS: usize = 8;
 /// not.
 const MOST_MODEL_GOALS: usize = 3;
 /// How many of the formats that a model leads to are tried.
-const MOST_ENDS: usize = 2;
+const MOST_ENDS: usize = 4;
 /// A bound that is smaller by less is no gain, in LSBs.
 const LEAST_GAIN: f64 = 0.0005;
 /// Bits by which formats are finer than the start's at most, all together.
@@ -227,12 +227,15 @@ impl Search<'_> {
     /// The core with one format narrower by a bit, where that meets the goal and saves something.
     fn narrower(&self, found: &Exact, below: f64) -> Result<Option<Exact>, BenchError> {
         let formats = trials::formats_of(&found.spec);
-        let narrower = (0..formats.len())
-            .into_par_iter()
-            .filter_map(|point| self.trials.state(self.trials.neighbour(&formats, point, -1)?));
+        let here = self.trials.state(formats.clone()).map(|here| here.tried);
+        let narrower = (0..formats.len()).into_par_iter().filter_map(|point| {
+            self.trials.state(self.trials.neighbour(&formats, point, -1)?)
+        });
+        // Spans are set up for those alone that may be better; where nothing changes, none is.
         let may_be_better = |near: &State| {
             near.tried.bound < below + CLOSE_BOUND
                 && near.tried.cells < found.tried.cells + CLOSE_CELLS
+                && here.as_ref() != Some(&near.tried)
         };
         let mut near: Vec<State> = narrower.filter(may_be_better).collect();
         near.sort_by_key(|near| near.tried.cells);

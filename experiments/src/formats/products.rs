@@ -72,11 +72,10 @@ impl Products {
             }
             Products::Logic => a * b,
             Products::Of(target) => {
-                let own = |i: usize| Factor {
-                    width: factors.widths[i] - u32::from(!factors.signed[i]),
-                    signed: factors.signed[i],
-                };
-                divided(target.multiplier.as_ref(), [own(0), own(1)], factors.square)
+                let multiplier = target.multiplier.as_ref();
+                let block = multiplier.map_or(0, |block| block.widths.into_iter().product());
+                let parts = Parts::of(multiplier, Factor::both(factors), factors.square);
+                parts.blocks * block + parts.logic
             }
         }
     }
@@ -91,6 +90,13 @@ struct Factor {
 }
 
 impl Factor {
+    fn both(factors: &Factors) -> [Factor; 2] {
+        [0, 1].map(|i| {
+            let (width, signed) = (factors.widths[i], factors.signed[i]);
+            Factor { width: width - u32::from(!signed), signed }
+        })
+    }
+
     /// Its last bits and the others.
     fn cut(self, at: u32) -> [Factor; 2] {
         [Factor { width: at, signed: false }, Factor { width: self.width - at, ..self }]
@@ -103,22 +109,90 @@ impl Factor {
     }
 }
 
-/// The cells of a product that is divided as the pass `lower` does: blocks, adders of what they give,
-/// and the registers behind these.
-fn divided(multiplier: Option<&Multiplier>, [a, b]: [Factor; 2], square: bool) -> u32 {
-    let sum = 2 * (a.width + b.width);
-    let Some(block) = multiplier.filter(|_| a.width.min(b.width) > FEW_BITS) else {
-        return if a.width.min(b.width) > FEW_BITS { a.width * b.width } else { sum };
-    };
-    if a.fits(block, 0) && b.fits(block, 1) || b.fits(block, 0) && a.fits(block, 1) {
-        return block.widths.into_iter().product();
+/// What a product is divided into by the pass `lower`.
+#[derive(Clone, Copy, Debug)]
+struct Parts {
+    blocks: u32,
+    /// Bits of adders of what blocks give, and of the registers behind these.
+    logic: u32,
+}
+
+impl Parts {
+    fn of(multiplier: Option<&Multiplier>, [a, b]: [Factor; 2], square: bool) -> Parts {
+        let sum = 2 * (a.width + b.width);
+        if a.width.min(b.width) <= FEW_BITS {
+            return Parts { blocks: 0, logic: sum };
+        }
+        let Some(block) = multiplier else {
+            return Parts { blocks: 0, logic: a.width * b.width };
+        };
+        if a.fits(block, 0) && b.fits(block, 1) || b.fits(block, 0) && a.fits(block, 1) {
+            return Parts { blocks: 1, logic: 0 };
+        }
+        let of = |a, b, square| Parts::of(multiplier, [a, b], square);
+        if square {
+            let [low, high] = a.cut(block.unsigned[1]);
+            let tiles = [of(low, low, true), of(low, high, false), of(high, high, true)];
+            return Parts::together(tiles, 2 * sum);
+        }
+        let [a, b] = if a.width < b.width { [b, a] } else { [a, b] };
+        let [low, high] = a.cut(block.unsigned[usize::from(!b.fits(block, 1))]);
+        Parts::together([of(low, b, false), of(high, b, false)], sum)
     }
-    let of = |a, b, square| divided(multiplier, [a, b], square);
-    if square {
-        let [low, high] = a.cut(block.unsigned[1]);
-        return of(low, low, true) + of(low, high, false) + of(high, high, true) + 2 * sum;
+
+    fn together<const N: usize>(tiles: [Parts; N], sums: u32) -> Parts {
+        let [blocks, logic] = [|of: &Parts| of.blocks, |of: &Parts| of.logic]
+            .map(|count| tiles.iter().map(count).sum::<u32>());
+        Parts { blocks, logic: logic + sums }
     }
-    let [a, b] = if a.width < b.width { [b, a] } else { [a, b] };
-    let [low, high] = a.cut(block.unsigned[usize::from(!b.fits(block, 1))]);
-    of(low, b, false) + of(high, b, false) + sum
+}
+
+#[cfg(test)]
+mod tests {
+    use specula_datapath::builder::Builder;
+    use specula_datapath::design::Op;
+    use specula_datapath::pass::lowered;
+    use specula_datapath::{Format, InputPort};
+
+    use super::*;
+
+    /// Blocks of a product on the target, as it is lowered, and as they are counted here.
+    fn blocks(target: &Target, formats: [Format; 2], square: bool) -> [usize; 2] {
+        let builder = Builder::new("product", "a b");
+        let control = builder.control();
+        let [a, b] = [("a", formats[0]), ("b", formats[1])]
+            .map(|(name, format)| builder.input(&InputPort::whole(name, format)));
+        let product = if square { a.squared() } else { &a * &b };
+        let graph = builder.graph(&control.valid, &[("product", product)]).unwrap();
+        let [factors] = &specula_datapath::pass::extent(&graph).unwrap().factors[..] else {
+            panic!("one product");
+        };
+        let graph = lowered(&graph, target, 100.0);
+        let is_product = |op: &Op| matches!(op, Op::Mul(..));
+        let made = graph.values.iter().filter(|value| is_product(&value.op)).count();
+        let multiplier = target.multiplier.as_ref();
+        let parts = Parts::of(multiplier, Factor::both(factors), factors.square);
+        [made, parts.blocks as usize]
+    }
+
+    #[test]
+    fn products_are_divided_as_they_are_lowered() {
+        let width = |bits: u32| [Format::unsigned(0, bits), Format::signed(0, bits - 1)];
+        for target in Target::clocked().filter_map(Target::named) {
+            for a in (3..=40).flat_map(width) {
+                for b in [3, 9, 16, 17, 18, 19, 20, 21, 24, 25, 26, 35, 37].into_iter().flat_map(width) {
+                    // A result has 63 bits at most.
+                    if a.width() + b.width() > 62 {
+                        continue;
+                    }
+                    let [made, counted] = blocks(&target, [a, b], false);
+                    assert_eq!(made, counted, "{}: {a} x {b}", target.name);
+                }
+                if a.width() <= 31 {
+                    let [made, counted] = blocks(&target, [a, a], true);
+                    assert_eq!(made, counted, "{}: {a} squared", target.name);
+                }
+            }
+        }
+    }
 }
