@@ -1,7 +1,7 @@
 //! Formats by proof.
 use specula_experiments::cost::{Cost, GENERIC_BLOCK};
 use specula_experiments::formats::{
-    FAITHFUL, MARGIN, NotProven, Products, Proven, Wanted, cheapest_formats,
+    FAITHFUL, MARGIN, NotProven, Products, Proven, Wanted, cheapest_formats, default_core,
 };
 use specula_fixtures::each_method;
 use specula_scene::{Frame, LoadedScene, load};
@@ -141,4 +141,28 @@ fn what_cannot_be_proven_is_refused_with_what_is_in_the_way() {
     let start = scene.core_spec(Some(Method::Gouraud)).unwrap();
     let refusal = found(&start, &scene.frame, 0.5).unwrap_err();
     assert!(refusal.obstacle.starts_with("it comes from no format"), "{refusal}");
+}
+
+#[test]
+fn a_core_that_cannot_be_proven_faithful_has_recommended_formats() {
+    let scene = scene("teapot");
+    let start = scene.core_spec(Some(Method::Lyon)).unwrap();
+    let default = |spec: &CoreSpec, named: &[String]| {
+        let products = Products::Blocks(GENERIC_BLOCK);
+        default_core(spec.clone(), &scene.frame, named, products).unwrap()
+    };
+    let coarse = start.with_formats(&[("vector", "S1.7".parse().unwrap())]).unwrap();
+    let coarse = coarse.specialised(&scene.frame);
+    let core = default(&coarse, &["vector".to_owned()]);
+    assert_eq!(core.spec, coarse);
+    let reason = core.not_faithful.unwrap();
+    assert!(reason.reached > FAITHFUL && reason.below == FAITHFUL, "{reason}");
+    assert!(reason.obstacle.starts_with("`vector` (") && reason.obstacle.contains("asked for"));
+    // The same without a format that is named, and with all of them.
+    let core = default(&coarse, &[]);
+    assert!(core.not_faithful.is_none() && elaborated(&core.spec).0 < FAITHFUL);
+    let all: Vec<String> =
+        coarse.narrowing_points().iter().map(|point| point.name.to_owned()).collect();
+    let core = default(&coarse, &all);
+    assert!(core.not_faithful.is_none() && core.spec == coarse);
 }

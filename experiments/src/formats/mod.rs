@@ -110,7 +110,7 @@ pub fn cheapest_formats(
     frame: &Frame,
     wanted: &Wanted,
 ) -> Result<Result<Proven, NotProven>, BenchError> {
-    let search = Search { trials: Trials::new(start, wanted), start, frame };
+    let search = Search { trials: Trials::new(start, wanted), start, frame, wanted };
     let goal = wanted.below - MARGIN;
     let mut below = goal;
     let mut at = search.beginning();
@@ -130,13 +130,14 @@ pub fn cheapest_formats(
         below = below.min(near.tried.bound) - (exact.tried.bound - goal) - 0.001;
         at = Some(near);
     }
-    Ok(Err(search.not_proven(wanted.below)))
+    Ok(Err(search.not_proven()))
 }
 
 struct Search<'a> {
     trials: Trials<'a>,
     start: &'a CoreSpec,
     frame: &'a Frame,
+    wanted: &'a Wanted<'a>,
 }
 
 /// A core whose inputs are given what they are for the frame.
@@ -193,7 +194,7 @@ impl Search<'_> {
     }
 
     /// The smallest bound that is found, and what keeps it from being smaller.
-    fn not_proven(&self, below: f64) -> NotProven {
+    fn not_proven(&self) -> NotProven {
         let states =
             (0..=MOST_ADDED).filter_map(|added| self.trials.state(self.trials.finer(added)?));
         let finest =
@@ -201,9 +202,9 @@ impl Search<'_> {
         let finest = finest.map(|state| self.cheapest(state, 0.0));
         NotProven {
             method: self.start.method().name(),
-            below,
+            below: self.wanted.below,
             reached: finest.as_ref().map_or(f64::INFINITY, |state| state.tried.bound),
-            obstacle: obstacle::in_words(&self.trials, finest),
+            obstacle: obstacle::in_words(self.start, self.wanted, finest),
         }
     }
 
@@ -228,9 +229,9 @@ impl Search<'_> {
     fn narrower(&self, found: &Exact, below: f64) -> Result<Option<Exact>, BenchError> {
         let formats = trials::formats_of(&found.spec);
         let here = self.trials.state(formats.clone()).map(|here| here.tried);
-        let narrower = (0..formats.len()).into_par_iter().filter_map(|point| {
-            self.trials.state(self.trials.neighbour(&formats, point, -1)?)
-        });
+        let narrower = (0..formats.len())
+            .into_par_iter()
+            .filter_map(|point| self.trials.state(self.trials.neighbour(&formats, point, -1)?));
         // Spans are set up for those alone that may be better; where nothing changes, none is.
         let may_be_better = |near: &State| {
             near.tried.bound < below + CLOSE_BOUND

@@ -180,7 +180,9 @@ mod tests {
         let width = |bits: u32| [Format::unsigned(0, bits), Format::signed(0, bits - 1)];
         for target in Target::clocked().filter_map(Target::named) {
             for a in (3..=40).flat_map(width) {
-                for b in [3, 9, 16, 17, 18, 19, 20, 21, 24, 25, 26, 35, 37].into_iter().flat_map(width) {
+                for b in
+                    [3, 9, 16, 17, 18, 19, 20, 21, 24, 25, 26, 35, 37].into_iter().flat_map(width)
+                {
                     // A result has 63 bits at most.
                     if a.width() + b.width() > 62 {
                         continue;
