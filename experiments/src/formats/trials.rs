@@ -65,11 +65,6 @@ impl<'a> Trials<'a> {
         self.known().len()
     }
 
-    /// The core whose formats are tried.
-    pub fn start(&self) -> &CoreSpec {
-        self.start
-    }
-
     /// What products take.
     pub fn products(&self) -> &ProductCells {
         &self.products
