@@ -91,6 +91,9 @@ impl CoreSpec {
         self.target.as_ref().map_or(Ok(()), TargetClock::check)?;
         self.method.shading().check_options()?;
         self.narrowing_points().iter().try_for_each(NarrowingPoint::check)?;
+        if self.specialisation.is_general() {
+            return Ok(());
+        }
         self.specialisation.check(&self.general().inputs())
     }
 
@@ -152,12 +155,11 @@ impl CoreSpec {
     /// # Errors
     /// [`SpecError`] if there is no such point, or it may not have the format.
     pub fn with_formats(&self, formats: &[(&str, Format)]) -> Result<CoreSpec, SpecError> {
-        let formats = formats
-            .iter()
-            .map(|&(name, format)| (name.to_owned(), format.to_string().into()))
-            .collect();
-        let changes = [("formats".to_owned(), toml::Value::Table(formats))].into_iter().collect();
-        let spec = CoreSpec { method: self.method.changed(&changes)?, ..self.general() };
+        let mut spec = self.general();
+        for &(name, format) in formats {
+            let wrong = || SpecError::Core { message: format!("no narrowing point `{name}`") };
+            *spec.method.format_mut(name).ok_or_else(wrong)? = format;
+        }
         spec.check()?;
         Ok(spec)
     }

@@ -46,11 +46,14 @@ impl CoreSpec {
         Some(spec)
     }
 
+    /// The same core with other formats at these narrowing points, whether or not they may be; none
+    /// where there is no such point.
     fn changed<'a>(&self, formats: impl Iterator<Item = (&'a str, Format)>) -> Option<CoreSpec> {
-        let formats = formats.map(|(name, format)| (name.to_owned(), format.to_string().into()));
-        let changes = [("formats".to_owned(), toml::Value::Table(formats.collect()))];
-        let method = self.method.changed(&changes.into_iter().collect()).ok()?;
-        Some(CoreSpec { method, ..self.clone() })
+        let mut spec = self.clone();
+        for (name, format) in formats {
+            *spec.method.format_mut(name)? = format;
+        }
+        Some(spec)
     }
 }
 

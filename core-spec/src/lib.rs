@@ -19,6 +19,7 @@ pub mod direct;
 pub mod duff;
 mod error;
 mod finer;
+mod formats;
 pub mod gouraud;
 pub mod hybrid;
 mod input_meaning;
@@ -66,7 +67,7 @@ pub use linear::Linear;
 pub use lyon::{LyonInputs, LyonSpec};
 pub use method::{Method, MethodSpec};
 pub use narrowing::NarrowingPoint;
-pub use options::{CoreOptions, Specialise};
+pub use options::{CoreOptions, Specialise, UnnamedFormats};
 pub use packet_layout::{
     FieldContent, PacketField, PacketLayout, Positions, SpanHeader, WordWidth, built_format,
 };

@@ -1,5 +1,6 @@
 //! The methods there are.
 use serde::{Deserialize, Serialize};
+use specula_datapath::Format;
 use specula_scene::needs::Needs;
 
 use crate::consistent::ConsistentSpec;
@@ -92,10 +93,10 @@ macro_rules! methods {
                 }
             }
 
-            /// The same with `changes` to options and formats.
-            pub(crate) fn changed(&self, changes: &toml::Table) -> Result<MethodSpec, SpecError> {
+            /// The format of the narrowing point called `name`.
+            pub(crate) fn format_mut(&mut self, name: &str) -> Option<&mut Format> {
                 match self {
-                    $(MethodSpec::$method(spec) => merged(spec, changes).map(MethodSpec::$method),)*
+                    $(MethodSpec::$method(spec) => spec.formats.named_mut(name),)*
                 }
             }
 

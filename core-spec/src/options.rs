@@ -19,6 +19,8 @@ pub struct CoreOptions {
     pub specialise: Option<Specialise>,
     /// Whether lights share a pipeline, if that is said.
     pub light_pipelines: Option<LightPipelines>,
+    /// Where formats that are not named come from, if that is said.
+    pub formats: Option<UnnamedFormats>,
     /// Options that differ from the defaults.
     tables: Vec<(Method, toml::Table)>,
 }
@@ -74,10 +76,36 @@ impl Specialise {
     }
 }
 
+/// Where the formats come from that nobody names.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum UnnamedFormats {
+    /// A search: the cheapest ones that are found for which the core is faithful by its proven
+    /// bound.
+    #[default]
+    Faithful,
+    /// docs/numerics.md, which recommends some for angles, exponents and colours.
+    Recommended,
+}
+
+impl UnnamedFormats {
+    /// Both.
+    pub const ALL: [UnnamedFormats; 2] = [UnnamedFormats::Faithful, UnnamedFormats::Recommended];
+
+    /// The name that the command line and scene files use.
+    pub const fn name(self) -> &'static str {
+        match self {
+            UnnamedFormats::Faithful => "faithful",
+            UnnamedFormats::Recommended => "recommended",
+        }
+    }
+}
+
 enum Key {
     Method,
     Specialise,
     LightPipelines,
+    Formats,
     Table(Method),
 }
 
@@ -86,7 +114,7 @@ impl<'de> Deserialize<'de> for Key {
         let name = String::deserialize(deserializer)?;
         let unknown = |_| {
             let known = format!(
-                "expected `method`, `specialise`, `light_pipelines` or a method's name ({})",
+                "expected `method`, `specialise`, `light_pipelines`, `formats` or a method's name ({})",
                 Method::names()
             );
             de::Error::custom(format!("unknown field `{name}`, {known}"))
@@ -95,6 +123,7 @@ impl<'de> Deserialize<'de> for Key {
             "method" => Ok(Key::Method),
             "specialise" => Ok(Key::Specialise),
             "light_pipelines" => Ok(Key::LightPipelines),
+            "formats" => Ok(Key::Formats),
             _ => Method::from_name(&name).map(Key::Table).map_err(unknown),
         }
     }
@@ -122,6 +151,7 @@ impl<'de> Visitor<'de> for Keys {
                 Key::Method => options.method = Some(map.next_value()?),
                 Key::Specialise => options.specialise = Some(map.next_value()?),
                 Key::LightPipelines => options.light_pipelines = Some(map.next_value()?),
+                Key::Formats => options.formats = Some(map.next_value()?),
                 Key::Table(method) => options.tables.push((method, map.next_value()?)),
             }
         }

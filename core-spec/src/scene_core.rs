@@ -5,7 +5,7 @@ use crate::core_spec::CoreSpec;
 use crate::error::SpecError;
 use crate::lyon::Normals;
 use crate::method::{Method, MethodSpec};
-use crate::options::{CoreOptions, Specialise};
+use crate::options::{CoreOptions, Specialise, UnnamedFormats};
 
 /// Why there is no core for a scene.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
@@ -24,7 +24,8 @@ pub enum CoreError {
 pub trait SceneCore {
     /// The core for this scene, with `method` if one is given, or else the method in the scene
     /// file's `[core]` table, or else `lyon`. It is specialised for this frame, unless the table
-    /// has `specialise = "general"`.
+    /// has `specialise = "general"`. Formats that the table does not name are the recommended
+    /// ones.
     ///
     /// # Errors
     /// A [`CoreError`] that points at the `[core]` table, if there is one.
@@ -41,6 +42,12 @@ pub trait SceneCore {
     /// # Errors
     /// A [`CoreError`] that points at the table, if it cannot be read.
     fn named_formats(&self, method: Method) -> Result<Vec<String>, CoreError>;
+
+    /// Where the formats come from that the scene file's `[core]` table does not name.
+    ///
+    /// # Errors
+    /// A [`CoreError`] that points at the table, if it cannot be read.
+    fn unnamed_formats(&self) -> Result<UnnamedFormats, CoreError>;
 }
 
 impl SceneCore for LoadedScene {
@@ -71,6 +78,10 @@ impl SceneCore for LoadedScene {
 
     fn named_formats(&self, method: Method) -> Result<Vec<String>, CoreError> {
         Ok(core_options(self)?.map(|options| options.named_formats(method)).unwrap_or_default())
+    }
+
+    fn unnamed_formats(&self) -> Result<UnnamedFormats, CoreError> {
+        Ok(core_options(self)?.and_then(|options| options.formats).unwrap_or_default())
     }
 }
 

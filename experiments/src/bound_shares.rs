@@ -53,8 +53,8 @@ fn finer(
     for added in ADDED {
         let format = Format { fraction_bits: point.format.fraction_bits + added, ..point.format };
         let Ok(general) = spec.with_formats(&[(point.name, format)]) else { continue };
-        if let Ok(design) = specula_hdl::elaborate(&known(general), "core") {
-            return Some(design.error_bound());
+        if let Ok(bound) = specula_hdl::error_bound(&known(general)) {
+            return Some(bound);
         }
     }
     None

@@ -2,7 +2,7 @@
 //! are worth together.
 use serde::Serialize;
 use specula_datapath::Design;
-use specula_datapath::design::Size;
+use specula_datapath::design::{Extent, Size};
 use specula_datapath::verilog::Counted;
 
 /// Widths of the signed operands of a multiplier block where no device is named, the wider one
@@ -29,12 +29,16 @@ impl Cost {
     /// The resources that `design` takes where multiplier blocks have operands of these widths, the
     /// wider one first, if blocks are to be counted.
     pub fn of(design: &Design, block: Option<[u32; 2]>) -> Cost {
-        let size = design.size();
-        let blocks = block.map(|block| products(design).map(|p| blocks_for(block, p)).sum());
-        let of_blocks = |(blocks, [a, b]): (u64, [u32; 2])| blocks * u64::from(a) * u64::from(b);
         if !design.multipliers.is_empty() {
-            return Cost::of_lowered(design, &size);
+            return Cost::of_lowered(design, &design.size());
         }
+        Cost::of_extent(&design.extent(), block)
+    }
+
+    /// The resources that a design takes which is made of this much and is for no target.
+    pub fn of_extent(Extent { size, factors }: &Extent, block: Option<[u32; 2]>) -> Cost {
+        let blocks = block.map(|block| factors.iter().map(|of| blocks_for(block, of.widths)).sum());
+        let of_blocks = |(blocks, [a, b]): (u64, [u32; 2])| blocks * u64::from(a) * u64::from(b);
         Cost {
             multiplier_bits: blocks.zip(block).map_or(size.multiplier_bits, of_blocks),
             blocks,
@@ -65,19 +69,10 @@ impl Cost {
 
 /// Number of blocks for a product of two signals, which is divided into parts that a block can
 /// multiply. Parts after the first have no sign, and therefore one bit less.
-fn blocks_for([long, short]: [u32; 2], [a, b]: [u32; 2]) -> u64 {
+pub(crate) fn blocks_for([long, short]: [u32; 2], [a, b]: [u32; 2]) -> u64 {
     let parts =
         |width: u32, port: u32| u64::from(width.saturating_sub(1).div_ceil(port - 1).max(1));
     (parts(a, long) * parts(b, short)).min(parts(a, short) * parts(b, long))
-}
-
-/// Widths of the operands of every product of two variables; a sign bit is added to unsigned ones.
-fn products(design: &Design) -> impl Iterator<Item = [u32; 2]> {
-    let width = |id| {
-        let range = design.node(id).range;
-        range.width() + u32::from(!range.signed())
-    };
-    design.nodes.iter().filter_map(move |node| Some(design.factors(node)?.map(width)))
 }
 
 #[cfg(test)]

@@ -1,6 +1,8 @@
 //! Formats by proof.
 use specula_experiments::cost::{Cost, GENERIC_BLOCK};
-use specula_experiments::formats::{FAITHFUL, MARGIN, NotProven, Proven, Wanted, cheapest_formats};
+use specula_experiments::formats::{
+    FAITHFUL, MARGIN, NotProven, Products, Proven, Wanted, cheapest_formats, default_core,
+};
 use specula_fixtures::each_method;
 use specula_scene::{Frame, LoadedScene, load};
 use specula_spec::{CoreSpec, Method, SceneCore};
@@ -11,7 +13,12 @@ fn scene(name: &str) -> LoadedScene {
 }
 
 fn found(start: &CoreSpec, frame: &Frame, below: f64) -> Result<Proven, NotProven> {
-    cheapest_formats(start, frame, &Wanted { below, block: GENERIC_BLOCK, kept: &[] }).unwrap()
+    cheapest_formats(
+        start,
+        frame,
+        &Wanted { below, products: Products::Blocks(GENERIC_BLOCK), kept: &[] },
+    )
+    .unwrap()
 }
 
 fn fraction_bits(spec: &CoreSpec) -> Vec<u32> {
@@ -19,9 +26,10 @@ fn fraction_bits(spec: &CoreSpec) -> Vec<u32> {
 }
 
 /// The bound of a core and the cells that it takes.
-fn elaborated(spec: &CoreSpec) -> (f64, u64) {
+fn elaborated(spec: &CoreSpec) -> (f64, i64) {
     let design = specula_hdl::elaborate(spec, "core").unwrap();
-    (design.error_bound(), Cost::of(&design, Some(GENERIC_BLOCK)).cells())
+    // Sizes are far below 2^63.
+    (design.error_bound(), Cost::of(&design, Some(GENERIC_BLOCK)).cells() as i64)
 }
 
 /// The core with each format narrower by a bit, where that can be described, for the same frame.
@@ -40,7 +48,7 @@ fn faithful_cores_are_proven_and_could_not_be_narrower(method: Method) {
         let start = scene.core_spec(Some(method)).unwrap();
         let core = found(&start, &scene.frame, FAITHFUL).unwrap();
         let (bound, cells) = elaborated(&core.spec);
-        assert!((bound, cells) == (core.bound, core.cost.cells()) && bound < 1.0, "{bound}");
+        assert!((bound, cells) == (core.bound, core.cells) && bound < 1.0, "{bound}");
         assert_eq!(core.spec, core.spec.specialised(&scene.frame), "{name}");
         for narrower in narrower(&core.spec, &scene.frame) {
             let (bound, other) = elaborated(&narrower);
@@ -79,7 +87,7 @@ fn a_closer_goal_is_met_too() {
     let costs = [3.0, 1.0, 0.75, 0.6].map(|below| {
         let core = found(&start, &scene.frame, below).unwrap();
         assert!(core.bound < below, "{} of {below}", core.bound);
-        core.cost.cells()
+        core.cells
     });
     assert!(costs.is_sorted(), "{costs:?}");
 }
@@ -94,12 +102,11 @@ fn operands_come_to_fit_the_blocks() {
         Cost::of(&design, Some(block)).blocks.unwrap()
     };
     for (block, least_saving) in [([18, 18], 3), ([25, 18], 1), ([16, 16], 2)] {
-        let wanted = Wanted { below: FAITHFUL, block, kept: &[] };
+        let wanted = Wanted { below: FAITHFUL, products: Products::Blocks(block), kept: &[] };
         let core = cheapest_formats(&start, &scene.frame, &wanted).unwrap().unwrap();
         let products = specula_hdl::elaborate(&core.spec, "core").unwrap().size().multipliers;
         let [before, after] = [&start, &core.spec].map(|spec| blocks(spec, block));
         assert!(after * least_saving <= before, "{block:?}: {before}, {after}");
-        assert_eq!(core.cost.blocks, Some(after));
         if block[1] == 18 {
             assert_eq!(after, products as u64, "every product takes one block");
         }
@@ -111,7 +118,7 @@ fn formats_that_are_kept_stay() {
     let scene = scene("teapot");
     let start = scene.core_spec(Some(Method::Lyon)).unwrap();
     let kept = ["vector".to_owned(), "shape".to_owned()];
-    let wanted = Wanted { below: FAITHFUL, block: GENERIC_BLOCK, kept: &kept };
+    let wanted = Wanted { below: FAITHFUL, products: Products::Blocks(GENERIC_BLOCK), kept: &kept };
     let core = cheapest_formats(&start, &scene.frame, &wanted).unwrap().unwrap();
     let of = |spec: &CoreSpec, name: &str| {
         spec.narrowing_points().into_iter().find(|point| point.name == name).unwrap().format
@@ -134,4 +141,28 @@ fn what_cannot_be_proven_is_refused_with_what_is_in_the_way() {
     let start = scene.core_spec(Some(Method::Gouraud)).unwrap();
     let refusal = found(&start, &scene.frame, 0.5).unwrap_err();
     assert!(refusal.obstacle.starts_with("it comes from no format"), "{refusal}");
+}
+
+#[test]
+fn a_core_that_cannot_be_proven_faithful_has_recommended_formats() {
+    let scene = scene("teapot");
+    let start = scene.core_spec(Some(Method::Lyon)).unwrap();
+    let default = |spec: &CoreSpec, named: &[String]| {
+        let products = Products::Blocks(GENERIC_BLOCK);
+        default_core(spec.clone(), &scene.frame, named, products).unwrap()
+    };
+    let coarse = start.with_formats(&[("vector", "S1.7".parse().unwrap())]).unwrap();
+    let coarse = coarse.specialised(&scene.frame);
+    let core = default(&coarse, &["vector".to_owned()]);
+    assert_eq!(core.spec, coarse);
+    let reason = core.not_faithful.unwrap();
+    assert!(reason.reached > FAITHFUL && reason.below == FAITHFUL, "{reason}");
+    assert!(reason.obstacle.starts_with("`vector` (") && reason.obstacle.contains("asked for"));
+    // The same without a format that is named, and with all of them.
+    let core = default(&coarse, &[]);
+    assert!(core.not_faithful.is_none() && elaborated(&core.spec).0 < FAITHFUL);
+    let all: Vec<String> =
+        coarse.narrowing_points().iter().map(|point| point.name.to_owned()).collect();
+    let core = default(&coarse, &all);
+    assert!(core.not_faithful.is_none() && core.spec == coarse);
 }

@@ -6,7 +6,7 @@ pub mod cores;
 pub mod error;
 pub mod units;
 
-pub use cores::{clock_limit, elaborate, highest_clock};
+pub use cores::{clock_limit, elaborate, error_bound, highest_clock};
 
 use specula_spec::CoreSpec;
 

@@ -5,15 +5,18 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use specula_datapath::target::Target;
 use specula_experiments::cost::GENERIC_BLOCK;
-use specula_experiments::formats;
+use specula_experiments::formats::{self, DefaultCore, Products, default_core};
 use specula_experiments::search::{self, Measured};
 use specula_hdl::module_name;
 use specula_scene::picture::limits;
 use specula_scene::{Frame, LoadedScene};
-use specula_spec::{CoreSpec, Method, SceneCore, SpecFile, Specialise, TargetClock};
+use specula_spec::{
+    CoreSpec, Method, SceneCore, SpecFile, Specialise, TargetClock, UnnamedFormats,
+};
 use specula_testbench::trace::Choice;
 use specula_testbench::{BenchError, EngineKind};
 
+use crate::device::DeviceArguments;
 use crate::error::ToolError;
 
 /// The folder to be written.
@@ -91,9 +94,13 @@ pub struct CoreArguments {
     /// [default: what the scene says, else scene]
     #[arg(long, value_name = "FOR", value_parser = specialise_parser())]
     pub specialise: Option<Specialise>,
+    /// Formats that the scene does not name: faithful, the cheapest for which the quantisation error
+    /// is proven to be below 1 LSB; or recommended, without a search [default: what the scene says,
+    /// else faithful]
+    #[arg(long, value_name = "FORMATS", value_parser = formats_parser(), conflicts_with_all = ["bound", "max_error", "max_quantisation"])]
+    pub formats: Option<UnnamedFormats>,
     /// Find the cheapest formats for which the quantisation error is proven to be below this, such
-    /// as 1lsb (a faithful core), without shading a pixel [default: the formats that the scene
-    /// says, else recommended ones]
+    /// as 0.75lsb, without shading a pixel
     #[arg(long, value_name = "LSB", allow_hyphen_values = true, value_parser = parse_error, conflicts_with_all = ["max_error", "max_quantisation"])]
     pub bound: Option<f64>,
     /// Narrow all formats as far as the total error against exact shading, measured on every pixel
@@ -130,10 +137,10 @@ pub enum Clock {
 }
 
 impl TargetArguments {
-    /// Widths of the signed operands of the target's multiplier blocks, if it has any.
-    fn block(&self) -> Option<[u32; 2]> {
-        let target = Target::named(self.target.as_ref()?)?;
-        target.multiplier.map(|multiplier| multiplier.widths)
+    /// How products are made on the target, if one is named.
+    fn products(&self) -> Option<Products> {
+        let name = self.target.as_ref().filter(|name| *name != ANY_DEVICE)?;
+        Target::named(name).map(Products::Of)
     }
 
     /// The clock in MHz that is given where no target is.
@@ -181,43 +188,56 @@ fn parse_clock(text: &str) -> Result<Clock, String> {
 }
 
 impl CoreArguments {
-    /// The core for a scene; on a device, if one is named, whose multiplier blocks have operands of
-    /// these widths.
+    /// The core for a scene; its products are made as on the target, or else as on the device that
+    /// is named.
     pub fn core(
         &self,
         scene: &LoadedScene,
-        block: Option<[u32; 2]>,
-    ) -> Result<CoreSpec, ToolError> {
-        self.made_for.made_for(self.in_formats(scene, block)?)
+        device: &DeviceArguments,
+    ) -> Result<DefaultCore, ToolError> {
+        let products = self.made_for.products().or_else(|| device.products());
+        let products = products.unwrap_or(Products::Blocks(GENERIC_BLOCK));
+        let DefaultCore { spec, not_faithful } = self.in_formats(scene, products)?;
+        Ok(DefaultCore { spec: self.made_for.made_for(spec)?, not_faithful })
     }
 
     /// The core for a scene, for no clock in particular, in the formats that are asked for.
     fn in_formats(
         &self,
         scene: &LoadedScene,
-        block: Option<[u32; 2]>,
-    ) -> Result<CoreSpec, ToolError> {
+        products: Products,
+    ) -> Result<DefaultCore, ToolError> {
         let (spec, frame) = (scene.core_spec(self.method)?, &scene.frame);
-        if let Some(below) = self.bound {
-            let start = specialised(spec, self.specialise, frame);
-            let kept = &scene.named_formats(start.method())?;
-            let block = block.or(self.made_for.block()).unwrap_or(GENERIC_BLOCK);
-            let wanted = formats::Wanted { below, block, kept };
-            return Ok(formats::cheapest_formats(&start, frame, &wanted)??.spec);
+        if let Some(goal) = self.measured() {
+            // The search for narrow formats starts from the general core.
+            let general = spec.specialisation.is_general();
+            let wish = self.specialise.or((!general).then_some(Specialise::Scene));
+            let spec = specialised(search::narrowest_formats(&spec, frame, goal)??, wish, frame);
+            return Ok(DefaultCore { spec, not_faithful: None });
         }
-        let Some(goal) = self.measured() else {
-            return Ok(specialised(spec, self.specialise, frame));
-        };
-        // The search for narrow formats starts from the general core.
-        let general = spec.specialisation.is_general();
-        let wish = self.specialise.or((!general).then_some(Specialise::Scene));
-        Ok(specialised(search::narrowest_formats(&spec, frame, goal)??, wish, frame))
+        let start = specialised(spec, self.specialise, frame);
+        let kept = &scene.named_formats(start.method())?;
+        if let Some(below) = self.bound {
+            let wanted = formats::Wanted { below, products, kept };
+            let spec = formats::cheapest_formats(&start, frame, &wanted)??.spec;
+            return Ok(DefaultCore { spec, not_faithful: None });
+        }
+        Ok(match self.formats.map_or_else(|| scene.unnamed_formats(), Ok)? {
+            UnnamedFormats::Faithful => default_core(start, frame, kept, products)?,
+            UnnamedFormats::Recommended => DefaultCore { spec: start, not_faithful: None },
+        })
     }
 
     /// The error that is to be measured, and the most that it may be, in LSBs.
     fn measured(&self) -> Option<(Measured, f64)> {
         let total = self.max_error.map(|most| (Measured::Total, most));
         total.or(self.max_quantisation.map(|most| (Measured::Quantisation, most)))
+    }
+
+    /// Whether formats depend on what products take: they do where the cheapest ones within a bound
+    /// are looked for.
+    pub fn is_searched_by_proof(&self) -> bool {
+        self.measured().is_none() && self.formats != Some(UnnamedFormats::Recommended)
     }
 
     /// The arguments that ask for formats, as they are written.
@@ -228,7 +248,8 @@ impl CoreArguments {
             ("max-quantisation", self.max_quantisation),
         ];
         let word = |(name, lsb): (&str, Option<f64>)| Some(format!(" --{name} {}lsb", lsb?));
-        asked.into_iter().filter_map(word).collect()
+        let unnamed = self.formats.map(|formats| format!(" --formats {}", formats.name()));
+        asked.into_iter().filter_map(word).chain(unnamed).collect()
     }
 }
 
@@ -307,6 +328,14 @@ pub fn selected_methods(named: &[Method]) -> Vec<Method> {
 pub fn specialise_parser() -> impl TypedValueParser<Value = Specialise> {
     PossibleValuesParser::new(Specialise::ALL.map(Specialise::name)).try_map(|name| {
         Specialise::ALL.into_iter().find(|wish| wish.name() == name).ok_or("there is no such wish")
+    })
+}
+
+/// Parses `--formats`.
+fn formats_parser() -> impl TypedValueParser<Value = UnnamedFormats> {
+    PossibleValuesParser::new(UnnamedFormats::ALL.map(UnnamedFormats::name)).try_map(|name| {
+        let named = |formats: &UnnamedFormats| formats.name() == name;
+        UnnamedFormats::ALL.into_iter().find(named).ok_or("there are no such formats")
     })
 }
 

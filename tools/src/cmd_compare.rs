@@ -49,8 +49,8 @@ pub struct Arguments {
     /// Methods to compare [default: all of them]
     #[arg(long, value_name = "METHODS", value_delimiter = ',', value_parser = method_parser())]
     methods: Vec<Method>,
-    /// Formats of each: default (what the method recommends for the scene), numbers of fraction
-    /// bits more or fewer at every place where values are rounded, narrow (-4), or wide (+2)
+    /// Formats of each: default (those in which `run` makes the core), numbers of fraction bits more
+    /// or fewer at every place where values are rounded, narrow (-4), or wide (+2)
     #[arg(
         long,
         value_name = "FORMATS",
@@ -86,7 +86,7 @@ pub fn execute(
     let folder =
         arguments.output.clone().unwrap_or_else(|| PathBuf::from("out/compare").join(&scene.name));
     let destination = Destination::check(&folder, &files::names(), interrupts)?;
-    let planned = plan(&scene, configurations(arguments));
+    let planned = plan(&scene, &configurations(arguments));
     refuse_nothing(&planned)?;
     let journal = open_journal(arguments, &destination, &scene)?;
     let compared = compare(arguments, &scene, planned, &journal)?;

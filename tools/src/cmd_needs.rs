@@ -7,9 +7,10 @@ use specula_datapath::Design;
 use specula_experiments::{Saving, Savings, SizeDelta, Synthesis, ablation};
 use specula_scene::{LoadedScene, Needs};
 use specula_sim::{Progress, synthesise};
-use specula_spec::{CoreSpec, Method, SceneCore};
+use specula_spec::{CoreSpec, Method, Specialise};
 
-use crate::arguments::{SceneArguments, method_parser};
+use crate::arguments::{CoreArguments, SceneArguments, method_parser};
+use crate::device::DeviceArguments;
 use crate::error::ToolError;
 use crate::verdict::Verdict;
 use crate::{progress, table};
@@ -54,9 +55,13 @@ struct Report<'a> {
 /// Prints the needs and what they save.
 pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
     let scene = arguments.scene.load()?;
-    let spec = scene.core_spec(arguments.method)?;
     // The user asks what the scene leaves out, even if its file asks for a general core.
-    let spec = if spec.specialisation.is_general() { spec.specialised(&scene.frame) } else { spec };
+    let wanted = CoreArguments {
+        method: arguments.method,
+        specialise: Some(Specialise::Scene),
+        ..CoreArguments::default()
+    };
+    let spec = wanted.core(&scene, &DeviceArguments::default())?.spec;
     let (needs, savings) = (Needs::of(&scene.frame), measured(&scene, &spec, arguments.synthesis)?);
     let report = Report {
         scene: &scene.name,
@@ -184,6 +189,7 @@ fn cells(savings: &Savings) -> Vec<[String; 4]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use specula_spec::SceneCore;
 
     #[test]
     fn the_table_fits_into_80_columns() {

@@ -58,7 +58,7 @@ pub struct Arguments {
     name: NameArguments,
     /// Shade the scene with the core in this run's folder, or in this spec.toml; it is refused if
     /// it lacks something that the scene needs
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["method", "specialise", "bound", "max_error", "max_quantisation", "target"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["method", "specialise", "formats", "bound", "max_error", "max_quantisation", "target"])]
     core: Option<PathBuf>,
     #[command(flatten)]
     wanted: CoreArguments,

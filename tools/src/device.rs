@@ -5,6 +5,7 @@ use serde::Serialize;
 use specula_datapath::Design;
 use specula_experiments::cost::Cost;
 use specula_experiments::explore::Device;
+use specula_experiments::formats::Products;
 
 use crate::error::DoesNotFit;
 
@@ -23,9 +24,9 @@ fn device_parser() -> impl TypedValueParser<Value = Device> {
 }
 
 impl DeviceArguments {
-    /// Widths of the signed operands of the device's multiplier blocks, if the user named one.
-    pub fn block(&self) -> Option<[u32; 2]> {
-        self.device.as_ref().and_then(|device| device.block)
+    /// How tools make products for the device, if the user named one.
+    pub fn products(&self) -> Option<Products> {
+        self.device.as_ref().map(|device| device.block.map_or(Products::Logic, Products::Blocks))
     }
 
     /// The share of the device that the core takes, if the user named a device.

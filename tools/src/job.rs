@@ -1,7 +1,9 @@
 //! A job: a core to make, from a scene or from a file, and the scene that it shades.
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use specula_experiments::formats::{DefaultCore, NotProven};
 use specula_scene::LoadedScene;
 use specula_spec::{CoreSpec, FittedCore, SpecFile};
 
@@ -18,6 +20,9 @@ pub struct Job {
     pub file: SpecFile,
     /// The origin of the core.
     pub origin: Origin,
+    /// The reason why the core is in recommended formats, where it was to be faithful and could not
+    /// be proven so.
+    pub not_faithful: Option<NotProven>,
 }
 
 impl Job {
@@ -29,11 +34,11 @@ impl Job {
         name: &NameArguments,
     ) -> Result<Job, ToolError> {
         let loaded = scene.load()?;
-        let spec = core.core(&loaded, device.block())?;
+        let DefaultCore { spec, not_faithful } = core.core(&loaded, device)?;
         let origin = Origin::of_scene(scene, core, device, &spec).with_name(name);
         let mut file = SpecFile { name: loaded.name.clone(), spec };
         name.rename(&mut file)?;
-        Ok(Job { file, scene: loaded, origin })
+        Ok(Job { file, scene: loaded, origin, not_faithful })
     }
 
     /// The job of shading a scene with a core that was made before.
@@ -57,7 +62,8 @@ impl Job {
             ToolError::Refused(Refused { core, scene, error })
         });
         let FittedCore { frame, spec } = fitted?;
-        Ok(Job { scene: LoadedScene { frame, ..loaded }, file: SpecFile { spec, ..file }, origin })
+        let (scene, file) = (LoadedScene { frame, ..loaded }, SpecFile { spec, ..file });
+        Ok(Job { scene, file, origin, not_faithful: None })
     }
 
     /// The core.
@@ -88,7 +94,7 @@ pub struct SceneOrSpec {
     #[arg(required_unless_present = "spec")]
     pub scene: Option<String>,
     /// Use the core in this spec.toml instead of one for a scene
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "size", "method", "specialise", "bound", "max_error", "max_quantisation"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "size", "method", "specialise", "formats", "bound", "max_error", "max_quantisation"])]
     pub spec: Option<PathBuf>,
     #[command(flatten)]
     picture: PictureArguments,
@@ -116,8 +122,12 @@ impl SceneOrSpec {
             }
             None => {
                 let scene = self.scene();
-                let Job { file, origin, .. } = Job::of_scene(&scene, &self.wanted, device, name)?;
-                Ok((file, origin))
+                let job = Job::of_scene(&scene, &self.wanted, device, name)?;
+                if let Some(reason) = &job.not_faithful {
+                    // A closed standard error is no reason to stop.
+                    let _ = writeln!(io::stderr(), "formats: recommended ones: {reason}");
+                }
+                Ok((job.file, job.origin))
             }
         }
     }

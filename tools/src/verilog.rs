@@ -56,7 +56,7 @@ impl Origin {
         let device = device
             .device
             .as_ref()
-            .filter(|_| core.bound.is_some())
+            .filter(|_| core.is_searched_by_proof())
             .map(|device| format!(" --device {}", device.name))
             .unwrap_or_default();
         let target = target_in_words(spec);

@@ -11,6 +11,7 @@ mod set_up;
 use serde::{Deserialize, Serialize};
 use specula_datapath::Format;
 
+use crate::formats::formats;
 use crate::power::{Power, PowerUnit};
 pub use inputs::{ConsistentInputs, ConsistentLight, ConsistentSpan, LARGEST_ANGLE};
 
@@ -65,42 +66,44 @@ pub struct ConsistentSpec {
     pub formats: ConsistentFormats,
 }
 
-/// The narrowing points of the method, in the order of the data.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct ConsistentFormats {
-    /// Accumulator of the interpolation weight a: `U1.f`. The host rounds the step 1/S into it.
-    pub weight_accumulator: Format,
-    /// The weight a, rounded from the accumulator: `U1.f`.
-    pub weight: Format,
-    /// Components of normals and light directions, of N' after interpolation and of n after
-    /// normalisation: `S1.f`; of the reflection r: `S2.f`.
-    pub vector: Format,
-    /// z = N'·N': `U1.f`.
-    pub length_squared: Format,
-    /// 1/√z, for z no smaller than 4^-4: `U4.f`, and 2^4 itself.
-    pub gain: Format,
-    /// Accumulator of t: `S1.f`. The host rounds start and step up into it.
-    pub angle_accumulator: Format,
-    /// t = 2α/π, rounded up from the accumulator and clamped to 1: `U1.f`.
-    pub angle: Format,
-    /// tan(π(1 - t)/4), rounded down, and the steps of its polynomial (with the trigonometric curve
-    /// only): `U1.f`.
-    pub tangent: Format,
-    /// q, rounded down: `U1.f`.
-    pub contraction: Format,
-    /// The cosines b = n·I and g = n·r: `S1.f`; g + ρb, the share of n in r: `S2.f`.
-    pub cosine: Format,
-    /// ρ² before its root: `U1.f`.
-    pub sine_ratio_squared: Format,
-    /// ρ = sin γ/sin β, the share of -I in r: `U1.f`.
-    pub sine_ratio: Format,
-    /// Diffuse intensity, clamped to 0..1: `U1.f`.
-    pub diffuse: Format,
-    /// r·L or N_c·H, clamped to 0..1, and each square of it: `U1.f`.
-    pub base: Format,
-    /// What tables make of the base (with power by tables only): `U1.f`.
-    pub shape: Format,
+formats! {
+    /// The narrowing points of the method, in the order of the data.
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    pub struct ConsistentFormats {
+        /// Accumulator of the interpolation weight a: `U1.f`. The host rounds the step 1/S into it.
+        pub weight_accumulator: Format,
+        /// The weight a, rounded from the accumulator: `U1.f`.
+        pub weight: Format,
+        /// Components of normals and light directions, of N' after interpolation and of n after
+        /// normalisation: `S1.f`; of the reflection r: `S2.f`.
+        pub vector: Format,
+        /// z = N'·N': `U1.f`.
+        pub length_squared: Format,
+        /// 1/√z, for z no smaller than 4^-4: `U4.f`, and 2^4 itself.
+        pub gain: Format,
+        /// Accumulator of t: `S1.f`. The host rounds start and step up into it.
+        pub angle_accumulator: Format,
+        /// t = 2α/π, rounded up from the accumulator and clamped to 1: `U1.f`.
+        pub angle: Format,
+        /// tan(π(1 - t)/4), rounded down, and the steps of its polynomial (with the trigonometric
+        /// curve only): `U1.f`.
+        pub tangent: Format,
+        /// q, rounded down: `U1.f`.
+        pub contraction: Format,
+        /// The cosines b = n·I and g = n·r: `S1.f`; g + ρb, the share of n in r: `S2.f`.
+        pub cosine: Format,
+        /// ρ² before its root: `U1.f`.
+        pub sine_ratio_squared: Format,
+        /// ρ = sin γ/sin β, the share of -I in r: `U1.f`.
+        pub sine_ratio: Format,
+        /// Diffuse intensity, clamped to 0..1: `U1.f`.
+        pub diffuse: Format,
+        /// r·L or N_c·H, clamped to 0..1, and each square of it: `U1.f`.
+        pub base: Format,
+        /// What tables make of the base (with power by tables only): `U1.f`.
+        pub shape: Format,
+    }
 }
 
 impl ConsistentFormats {

@@ -11,6 +11,7 @@ mod set_up;
 use serde::{Deserialize, Serialize};
 use specula_datapath::Format;
 
+use crate::formats::formats;
 use crate::power::{Power, PowerUnit};
 pub use inputs::{DirectInputs, DirectLight, DirectSpan, Ends};
 
@@ -39,35 +40,37 @@ pub struct DirectSpec {
     pub formats: DirectFormats,
 }
 
-/// The narrowing points of the method, in the order of the data.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct DirectFormats {
-    /// Accumulator of t: `U1.f`. The host rounds the step 1/S into it.
-    pub weight_accumulator: Format,
-    /// t, rounded from the accumulator: `U1.f`.
-    pub weight: Format,
-    /// t (1 - t): `U1.f`.
-    pub product: Format,
-    /// κ: `U3.f`, rounded by the host.
-    pub spread: Format,
-    /// A·L, A·V and L·V: `S1.f`, rounded by the host. Differences between the ends have one more
-    /// integer bit.
-    pub component: Format,
-    /// q: `U1.f`.
-    pub length_squared: Format,
-    /// d = √q by Newton's method, and q/d before: `U1.f`.
-    pub length: Format,
-    /// 1/√q, or 1/d: `U<m>.f`. q counts as 4^-m at least, with m from 0 to 4.
-    pub reciprocal: Format,
-    /// N·L and N·V, before and after they are multiplied by 1/√q: `S1.f`.
-    pub cosine: Format,
-    /// N·L/√q, clamped: `U1.f`.
-    pub diffuse: Format,
-    /// The base of the highlight, and each square of it: `U1.f`.
-    pub base: Format,
-    /// What tables make of the base (with power by tables only): `U1.f`.
-    pub shape: Format,
+formats! {
+    /// The narrowing points of the method, in the order of the data.
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    pub struct DirectFormats {
+        /// Accumulator of t: `U1.f`. The host rounds the step 1/S into it.
+        pub weight_accumulator: Format,
+        /// t, rounded from the accumulator: `U1.f`.
+        pub weight: Format,
+        /// t (1 - t): `U1.f`.
+        pub product: Format,
+        /// κ: `U3.f`, rounded by the host.
+        pub spread: Format,
+        /// A·L, A·V and L·V: `S1.f`, rounded by the host. Differences between the ends have one
+        /// more integer bit.
+        pub component: Format,
+        /// q: `U1.f`.
+        pub length_squared: Format,
+        /// d = √q by Newton's method, and q/d before: `U1.f`.
+        pub length: Format,
+        /// 1/√q, or 1/d: `U<m>.f`. q counts as 4^-m at least, with m from 0 to 4.
+        pub reciprocal: Format,
+        /// N·L and N·V, before and after they are multiplied by 1/√q: `S1.f`.
+        pub cosine: Format,
+        /// N·L/√q, clamped: `U1.f`.
+        pub diffuse: Format,
+        /// The base of the highlight, and each square of it: `U1.f`.
+        pub base: Format,
+        /// What tables make of the base (with power by tables only): `U1.f`.
+        pub shape: Format,
+    }
 }
 
 impl DirectFormats {

@@ -10,6 +10,7 @@ mod set_up;
 use serde::{Deserialize, Serialize};
 use specula_datapath::Format;
 
+use crate::formats::formats;
 use crate::power::{Power, PowerUnit};
 pub use inputs::{DuffInputs, DuffLight, DuffSpan};
 
@@ -39,30 +40,32 @@ pub struct DuffSpec {
     pub formats: DuffFormats,
 }
 
-/// The narrowing points of the method, in the order of the data.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct DuffFormats {
-    /// Accumulators of p, N·V and N·H: `S1.f`. The host rounds start values and steps into it.
-    pub linear_accumulator: Format,
-    /// Accumulators of q, of the numerator of the quotient, and their differences: `S3.f`. The host
-    /// rounds start values and differences into it.
-    pub accumulator: Format,
-    /// p, q, N·V, N·H and the numerator, rounded from their accumulators: `S1.f`.
-    pub operand: Format,
-    /// s = 1/√q: `U<m>.f`. The integer bits m, 1 to 12, say how far it reaches: 2^m, for normals no
-    /// shorter than 2^-m.
-    pub root: Format,
-    /// p/q (with eq. 33 only), as large as s at most: `S2.f`.
-    pub quotient: Format,
-    /// Cosines: p s, N·V s and N·H s, clamped to -1..1, and L·V as the host rounds it: `S1.f`.
-    pub cosine: Format,
-    /// Diffuse intensity: `U1.f`.
-    pub diffuse: Format,
-    /// The base of the highlight, and each square of it: `U1.f`.
-    pub base: Format,
-    /// What tables make of the base (with power by tables only): `U1.f`.
-    pub shape: Format,
+formats! {
+    /// The narrowing points of the method, in the order of the data.
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    pub struct DuffFormats {
+        /// Accumulators of p, N·V and N·H: `S1.f`. The host rounds start values and steps into it.
+        pub linear_accumulator: Format,
+        /// Accumulators of q, of the numerator of the quotient, and their differences: `S3.f`. The
+        /// host rounds start values and differences into it.
+        pub accumulator: Format,
+        /// p, q, N·V, N·H and the numerator, rounded from their accumulators: `S1.f`.
+        pub operand: Format,
+        /// s = 1/√q: `U<m>.f`. The integer bits m, 1 to 12, say how far it reaches: 2^m, for
+        /// normals no shorter than 2^-m.
+        pub root: Format,
+        /// p/q (with eq. 33 only), as large as s at most: `S2.f`.
+        pub quotient: Format,
+        /// Cosines: p s, N·V s and N·H s, clamped to -1..1, and L·V as the host rounds it: `S1.f`.
+        pub cosine: Format,
+        /// Diffuse intensity: `U1.f`.
+        pub diffuse: Format,
+        /// The base of the highlight, and each square of it: `U1.f`.
+        pub base: Format,
+        /// What tables make of the base (with power by tables only): `U1.f`.
+        pub shape: Format,
+    }
 }
 
 impl Highlight {

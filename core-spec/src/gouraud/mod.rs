@@ -11,6 +11,8 @@ mod set_up;
 use serde::{Deserialize, Serialize};
 use specula_datapath::Format;
 
+use crate::formats::formats;
+
 pub use inputs::{GouraudInputs, GouraudLight, Intensity};
 
 /// Where intensities are computed, and what lies between.
@@ -34,14 +36,16 @@ pub struct GouraudSpec {
     pub formats: GouraudFormats,
 }
 
-/// The narrowing points of the method, in the order of the data.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct GouraudFormats {
-    /// Accumulators of the intensities: `S1.f`. The host rounds start and step into it; with linear
-    /// interpolation only.
-    pub accumulator: Format,
-    /// Diffuse and specular intensity, rounded from the accumulator, or by the host where they are
-    /// uniform: `U1.f`.
-    pub intensity: Format,
+formats! {
+    /// The narrowing points of the method, in the order of the data.
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    pub struct GouraudFormats {
+        /// Accumulators of the intensities: `S1.f`. The host rounds start and step into it; with
+        /// linear interpolation only.
+        pub accumulator: Format,
+        /// Diffuse and specular intensity, rounded from the accumulator, or by the host where they
+        /// are uniform: `U1.f`.
+        pub intensity: Format,
+    }
 }

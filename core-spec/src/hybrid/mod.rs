@@ -10,6 +10,7 @@ mod set_up;
 use serde::{Deserialize, Serialize};
 use specula_datapath::Format;
 
+use crate::formats::formats;
 use crate::power::{Power, PowerUnit};
 pub use inputs::{HybridInputs, HybridLight, HybridSpan};
 
@@ -23,23 +24,25 @@ pub struct HybridSpec {
     pub formats: HybridFormats,
 }
 
-/// The narrowing points of the method, in the order of the data.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct HybridFormats {
-    /// Accumulator of the diffuse intensity: `S1.f`. The host rounds start and step into it.
-    pub diffuse_accumulator: Format,
-    /// Diffuse intensity, rounded from the accumulator: `U1.f`.
-    pub diffuse: Format,
-    /// Accumulators of p and q and their differences: `S3.f`. The host rounds start values and
-    /// differences into it.
-    pub accumulator: Format,
-    /// p and q as they enter the divider: `S1.f`.
-    pub operand: Format,
-    /// The base p/q, and each square of it: `U1.f`.
-    pub base: Format,
-    /// What tables make of the base (with power by tables only): `U1.f`.
-    pub shape: Format,
+formats! {
+    /// The narrowing points of the method, in the order of the data.
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    pub struct HybridFormats {
+        /// Accumulator of the diffuse intensity: `S1.f`. The host rounds start and step into it.
+        pub diffuse_accumulator: Format,
+        /// Diffuse intensity, rounded from the accumulator: `U1.f`.
+        pub diffuse: Format,
+        /// Accumulators of p and q and their differences: `S3.f`. The host rounds start values and
+        /// differences into it.
+        pub accumulator: Format,
+        /// p and q as they enter the divider: `S1.f`.
+        pub operand: Format,
+        /// The base p/q, and each square of it: `U1.f`.
+        pub base: Format,
+        /// What tables make of the base (with power by tables only): `U1.f`.
+        pub shape: Format,
+    }
 }
 
 impl HybridSpec {

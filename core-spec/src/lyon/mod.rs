@@ -7,6 +7,8 @@ mod wrap;
 use serde::{Deserialize, Serialize};
 use specula_datapath::Format;
 
+use crate::formats::formats;
+
 pub use inputs::{LyonInputs, LyonLight, LyonSpan};
 pub use wrap::NormalWrap;
 
@@ -141,36 +143,39 @@ pub struct LyonSpec {
     pub formats: LyonFormats,
 }
 
-/// The narrowing points of the method, in the order of the data.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct LyonFormats {
-    /// Accumulator of the interpolation weight a: `U1.f`. The host rounds the step 1/S into it.
-    pub weight_accumulator: Format,
-    /// The weight a, rounded from the accumulator: `U1.f`.
-    pub weight: Format,
-    /// Components of normals and light directions, of N' after interpolation and of n after
-    /// normalisation: `S1.f`. Differences of normals and half-way vectors have the same fraction
-    /// bits and one more integer bit.
-    pub vector: Format,
-    /// H·w and H·H of wrapped normals: `U3.f`, since H·H reaches 4.
-    pub wrap_operand: Format,
-    /// v = H·w / H·H of wrapped normals: `U1.f`.
-    pub wrap_ratio: Format,
-    /// z = N'·N': `U1.f`.
-    pub length_squared: Format,
-    /// g, and within a Newton step g² and 3 - z g²: `U2.f`.
-    pub gain: Format,
-    /// N·L after clamping at 0: `U1.f`.
-    pub diffuse: Format,
-    /// The components of D, and before them 2 N·V, 2 N·L, H·N or h·N where D is made of it: `S2.f`.
-    pub difference: Format,
-    /// m of the root shape: `U7.f`. The host rounds it.
-    pub root_shininess: Format,
-    /// m|D_c| 2^-h of the root shape: `U8.f`.
-    pub scaled_difference: Format,
-    /// x/2^k before comparison with 1, 1 - x/2^k, and after each squaring: `U1.f`.
-    pub shape: Format,
+formats! {
+    /// The narrowing points of the method, in the order of the data.
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    pub struct LyonFormats {
+        /// Accumulator of the interpolation weight a: `U1.f`. The host rounds the step 1/S into it.
+        pub weight_accumulator: Format,
+        /// The weight a, rounded from the accumulator: `U1.f`.
+        pub weight: Format,
+        /// Components of normals and light directions, of N' after interpolation and of n after
+        /// normalisation: `S1.f`. Differences of normals and half-way vectors have the same
+        /// fraction bits and one more integer bit.
+        pub vector: Format,
+        /// H·w and H·H of wrapped normals: `U3.f`, since H·H reaches 4.
+        pub wrap_operand: Format,
+        /// v = H·w / H·H of wrapped normals: `U1.f`.
+        pub wrap_ratio: Format,
+        /// z = N'·N': `U1.f`.
+        pub length_squared: Format,
+        /// g, and within a Newton step g² and 3 - z g²: `U2.f`.
+        pub gain: Format,
+        /// N·L after clamping at 0: `U1.f`.
+        pub diffuse: Format,
+        /// The components of D, and before them 2 N·V, 2 N·L, H·N or h·N where D is made of it:
+        /// `S2.f`.
+        pub difference: Format,
+        /// m of the root shape: `U7.f`. The host rounds it.
+        pub root_shininess: Format,
+        /// m|D_c| 2^-h of the root shape: `U8.f`.
+        pub scaled_difference: Format,
+        /// x/2^k before comparison with 1, 1 - x/2^k, and after each squaring: `U1.f`.
+        pub shape: Format,
+    }
 }
 
 impl LyonFormats {

@@ -9,6 +9,8 @@ mod wrap;
 use serde::{Deserialize, Serialize};
 use specula_datapath::Format;
 
+use crate::formats::formats;
+
 pub use inputs::{PhongInputs, PhongLight, PhongSpan, Way};
 pub use wrap::{wrap_to_eye, wrap_to_light};
 
@@ -50,31 +52,33 @@ pub struct PhongSpec {
     pub formats: PhongFormats,
 }
 
-/// The narrowing points of the method, in the order of the data.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct PhongFormats {
-    /// Accumulator of the interpolation weight a: `U1.f`. The host rounds the step 1/S into it.
-    pub weight_accumulator: Format,
-    /// The weight a, rounded from the accumulator: `U1.f`.
-    pub weight: Format,
-    /// Components of normals and of vectors to lights and eye, before and after normalisation:
-    /// `S1.f`. Differences over a span have the same fraction bits and one more integer bit.
-    pub vector: Format,
-    /// Squared lengths: `U2.f`.
-    pub length_squared: Format,
-    /// 1 over a length: `U4.f`, saturated.
-    pub gain: Format,
-    /// H·w and H·H of wrapped vectors: `U3.f`.
-    pub wrap_operand: Format,
-    /// v = H·w / H·H, 0 to 1: `U1.f`.
-    pub wrap_ratio: Format,
-    /// N·L, N·V and V·L: `S1.f`.
-    pub cosine: Format,
-    /// What is raised to a power, or 1 - H*·N: `U1.f`.
-    pub base: Format,
-    /// Powers, and what they are multiplied to: `U1.f`.
-    pub shape: Format,
+formats! {
+    /// The narrowing points of the method, in the order of the data.
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    pub struct PhongFormats {
+        /// Accumulator of the interpolation weight a: `U1.f`. The host rounds the step 1/S into it.
+        pub weight_accumulator: Format,
+        /// The weight a, rounded from the accumulator: `U1.f`.
+        pub weight: Format,
+        /// Components of normals and of vectors to lights and eye, before and after normalisation:
+        /// `S1.f`. Differences over a span have the same fraction bits and one more integer bit.
+        pub vector: Format,
+        /// Squared lengths: `U2.f`.
+        pub length_squared: Format,
+        /// 1 over a length: `U4.f`, saturated.
+        pub gain: Format,
+        /// H·w and H·H of wrapped vectors: `U3.f`.
+        pub wrap_operand: Format,
+        /// v = H·w / H·H, 0 to 1: `U1.f`.
+        pub wrap_ratio: Format,
+        /// N·L, N·V and V·L: `S1.f`.
+        pub cosine: Format,
+        /// What is raised to a power, or 1 - H*·N: `U1.f`.
+        pub base: Format,
+        /// Powers, and what they are multiplied to: `U1.f`.
+        pub shape: Format,
+    }
 }
 
 impl PhongFormats {

@@ -14,6 +14,7 @@ use serde::{Deserialize, Serialize};
 use specula_datapath::Format;
 use specula_scene::frame::{Frame, Span};
 
+use crate::formats::formats;
 use crate::power::{Power, PowerUnit};
 pub use inputs::{ReflectionInputs, ReflectionLight, ReflectionSpan};
 
@@ -58,25 +59,27 @@ pub struct ReflectionSpec {
     pub formats: ReflectionFormats,
 }
 
-/// The narrowing points of the method, in the order of the data.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct ReflectionFormats {
-    /// Accumulators of q, of the numerators, and their differences: `S3.f`. The host rounds start
-    /// values and differences into it.
-    pub accumulator: Format,
-    /// q and the numerators, rounded from their accumulators: `S1.f`.
-    pub operand: Format,
-    /// 1/q: `U3.f`.
-    pub reciprocal: Format,
-    /// N'·L, N'·V and N'·H, clamped to -1..1, and L·V as the host rounds it: `S1.f`.
-    pub cosine: Format,
-    /// Diffuse intensity: `U1.f`.
-    pub diffuse: Format,
-    /// The base of the highlight, and each square of it: `U1.f`.
-    pub base: Format,
-    /// What tables make of the base (with power by tables only): `U1.f`.
-    pub shape: Format,
+formats! {
+    /// The narrowing points of the method, in the order of the data.
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    pub struct ReflectionFormats {
+        /// Accumulators of q, of the numerators, and their differences: `S3.f`. The host rounds
+        /// start values and differences into it.
+        pub accumulator: Format,
+        /// q and the numerators, rounded from their accumulators: `S1.f`.
+        pub operand: Format,
+        /// 1/q: `U3.f`.
+        pub reciprocal: Format,
+        /// N'·L, N'·V and N'·H, clamped to -1..1, and L·V as the host rounds it: `S1.f`.
+        pub cosine: Format,
+        /// Diffuse intensity: `U1.f`.
+        pub diffuse: Format,
+        /// The base of the highlight, and each square of it: `U1.f`.
+        pub base: Format,
+        /// What tables make of the base (with power by tables only): `U1.f`.
+        pub shape: Format,
+    }
 }
 
 impl Highlight {

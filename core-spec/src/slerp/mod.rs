@@ -13,6 +13,7 @@ mod set_up;
 use serde::{Deserialize, Serialize};
 use specula_datapath::Format;
 
+use crate::formats::formats;
 use crate::power::{Power, PowerUnit};
 pub use arc_rotation::{ArcRotation, LARGEST_WEIGHT};
 pub use inputs::{Axes, OnArc, SlerpInputs, SlerpLight, SlerpSpan};
@@ -53,31 +54,33 @@ pub struct SlerpSpec {
     pub formats: SlerpFormats,
 }
 
-/// The narrowing points of the method, in the order of the data.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct SlerpFormats {
-    /// Cosine and sine of the angle from pixel to pixel: `S1.f`, rounded by the host.
-    pub turn: Format,
-    /// Cosine and sine of the angle from the first pixel, rounded at every pixel: `S1.f`.
-    pub state: Format,
-    /// Cosines and sines of both angles over sin f, between the ends themselves: `S3.f`, since
-    /// 1/sin f reaches 5.76.
-    pub scaled_state: Format,
-    /// The same, as they are multiplied with: `S1.f`, and `S3.f` between the ends themselves.
-    pub weight: Format,
-    /// Components of A, B, T and L, of N, and of N times (3 - N·N)/2: `S1.f`.
-    pub vector: Format,
-    /// A·L, T·L, A·V, T·V and L·V: `S1.f`, rounded by the host.
-    pub component: Format,
-    /// J, K, the correction of K's length, and K after it: `S1.f`.
-    pub cosine: Format,
-    /// J, clamped: `U1.f`.
-    pub diffuse: Format,
-    /// The base of the highlight, and each square of it: `U1.f`.
-    pub base: Format,
-    /// What tables make of the base (with power by tables only): `U1.f`.
-    pub shape: Format,
+formats! {
+    /// The narrowing points of the method, in the order of the data.
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    pub struct SlerpFormats {
+        /// Cosine and sine of the angle from pixel to pixel: `S1.f`, rounded by the host.
+        pub turn: Format,
+        /// Cosine and sine of the angle from the first pixel, rounded at every pixel: `S1.f`.
+        pub state: Format,
+        /// Cosines and sines of both angles over sin f, between the ends themselves: `S3.f`, since
+        /// 1/sin f reaches 5.76.
+        pub scaled_state: Format,
+        /// The same, as they are multiplied with: `S1.f`, and `S3.f` between the ends themselves.
+        pub weight: Format,
+        /// Components of A, B, T and L, of N, and of N times (3 - N·N)/2: `S1.f`.
+        pub vector: Format,
+        /// A·L, T·L, A·V, T·V and L·V: `S1.f`, rounded by the host.
+        pub component: Format,
+        /// J, K, the correction of K's length, and K after it: `S1.f`.
+        pub cosine: Format,
+        /// J, clamped: `U1.f`.
+        pub diffuse: Format,
+        /// The base of the highlight, and each square of it: `U1.f`.
+        pub base: Format,
+        /// What tables make of the base (with power by tables only): `U1.f`.
+        pub shape: Format,
+    }
 }
 
 impl SlerpSpec {

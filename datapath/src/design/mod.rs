@@ -12,7 +12,8 @@ use crate::Format;
 pub use multiplier::{MultiplierBlock, Primitives};
 pub use op::{Op, Table, TableId, wrapped};
 pub use range::{Range, WideRange};
-pub use size::{Size, UnitSize};
+pub(crate) use size::Operand;
+pub use size::{Extent, Factors, Size, UnitSize};
 
 /// A signal of a [`Design`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -52,6 +52,11 @@ impl Range {
         self.wide().width()
     }
 
+    /// Bits that hold every value of the interval and a sign, whether or not it needs one.
+    pub fn signed_width(self) -> u32 {
+        self.width() + u32::from(!self.signed())
+    }
+
     /// Whether `value` lies inside.
     pub const fn contains(self, value: i64) -> bool {
         self.low <= value && value <= self.high

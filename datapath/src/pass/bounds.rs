@@ -48,6 +48,11 @@ impl Bounds {
         self.scalars[id.0 as usize]
     }
 
+    /// The largest error of an output.
+    pub fn of_outputs(&self, graph: &Graph) -> f64 {
+        graph.outputs.iter().map(|(_, id)| self.of(*id).error).fold(0.0, f64::max)
+    }
+
     /// What is known of a vector.
     pub fn of_vector(&self, graph: &Graph, id: VectorId) -> VectorBound {
         let facts = self.vectors[id.0 as usize].unwrap_or(VectorFacts::UNKNOWN);

@@ -7,11 +7,13 @@
 //! | [`schedule`] | a graph and a target | the clock in which each value is there |
 //! | `registers` | a graph and its schedule | a design, with delays and clock enables of loops |
 //! | `dead_code` | a design | the design without what nothing reads |
+//! | [`extent`](extent()) | a graph | what the design is made of, which is not made |
 //!
 //! The pass that lowers operators to what a device has (multiplier blocks, pieces of long sums) goes
 //! between `fold` and `schedule`.
 pub mod bounds;
 mod dead_code;
+mod extent;
 pub(crate) mod fold;
 mod loops;
 mod lower;
@@ -23,6 +25,7 @@ use crate::graph::Graph;
 use crate::target::Target;
 
 pub use bounds::{Bounds, bounds};
+pub use extent::extent;
 pub use lower::lowered;
 pub use schedule::{LoopTooLate, Schedule, schedule};
 

@@ -62,7 +62,7 @@ impl CoreChoice {
         let name = self.method.name();
         let (pipelines, specialise) = (self.light_pipelines.name(), self.specialise.name());
         let mut text = format!(
-            "method = \"{name}\"\nlight_pipelines = \"{pipelines}\"\nspecialise = \"{specialise}\"\n"
+            "method = \"{name}\"\nlight_pipelines = \"{pipelines}\"\nspecialise = \"{specialise}\"\nformats = \"recommended\"\n"
         );
         // Writing to a String cannot fail.
         let _ = writeln!(text, "\n[{prefix}{name}]");

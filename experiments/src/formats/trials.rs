@@ -1,38 +1,45 @@
-//! Trials of formats: the bound and the size of a core, each elaborated once.
+//! Trials of formats: the bound and the size of a core, of which no more is made than its graph.
 use std::collections::HashMap;
-use std::sync::Mutex;
+use std::sync::{Arc, Mutex};
 
+use specula_datapath::builder::{BuildError, Builder};
+use specula_datapath::design::Extent;
+use specula_datapath::pass;
 use specula_spec::CoreSpec;
 
 use super::Wanted;
-use crate::cost::Cost;
+use super::products::ProductCells;
 
 /// Numbers of fraction bits, in the order of the narrowing points.
 pub(super) type Formats = Vec<u32>;
 
 /// What is known of a core.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Tried {
     /// The proven bound of its quantisation error, in LSBs.
     pub bound: f64,
+    /// What it is made of.
+    pub extent: Extent,
+    /// The cells that its products take.
+    pub product_cells: i64,
     /// The resources that it takes, as one number.
-    pub cells: u64,
+    pub cells: i64,
 }
 
 /// Formats with what is known of the core that has them.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(super) struct State {
     pub formats: Formats,
-    pub tried: Tried,
+    pub tried: Arc<Tried>,
 }
 
 /// The trials of one search.
 pub(super) struct Trials<'a> {
     start: &'a CoreSpec,
-    block: [u32; 2],
+    products: ProductCells,
     /// Whether each narrowing point keeps its format.
     kept: Vec<bool>,
-    known: Mutex<HashMap<Formats, Option<Tried>>>,
+    known: Mutex<HashMap<Formats, Option<Arc<Tried>>>>,
 }
 
 /// The formats of a core.
@@ -41,48 +48,41 @@ pub(super) fn formats_of(spec: &CoreSpec) -> Formats {
 }
 
 impl<'a> Trials<'a> {
-    /// Trials of the formats of `start`; those that are to be kept stay, and those that change
-    /// nothing.
+    /// Trials of the formats of `start`; those that are to be kept stay.
     pub fn new(start: &'a CoreSpec, wanted: &Wanted) -> Trials<'a> {
         let points = start.narrowing_points();
         let kept = points.iter().map(|point| wanted.kept.iter().any(|name| name == point.name));
-        let kept = kept.collect();
-        let mut trials = Trials { start, block: wanted.block, kept, known: Mutex::default() };
-        let formats = formats_of(start);
-        if let Some(begin) = trials.state(formats.clone()) {
-            let finer = trials.neighbours(&formats, 1);
-            let inert = finer.into_iter().map(|finer| {
-                let finer = finer.and_then(|finer| trials.state(finer));
-                finer.is_some_and(|finer| finer.tried == begin.tried)
-            });
-            let kept = trials.kept.iter().zip(inert).map(|(kept, inert)| *kept || inert);
-            trials.kept = kept.collect();
+        Trials {
+            start,
+            products: ProductCells::new(&wanted.products),
+            kept: kept.collect(),
+            known: Mutex::default(),
         }
-        trials
     }
 
-    /// Number of cores that were elaborated.
+    /// Number of cores that were tried.
     pub fn count(&self) -> usize {
         self.known().len()
     }
 
-    /// The core whose formats are tried.
-    pub fn start(&self) -> &CoreSpec {
-        self.start
+    /// What products take.
+    pub fn products(&self) -> &ProductCells {
+        &self.products
     }
 
-    /// What is known of a core in these formats; none if it cannot be built.
+    /// What is known of a core in these formats, whose inputs are given about what the start's are;
+    /// none if it cannot be built.
     pub fn state(&self, formats: Formats) -> Option<State> {
-        let seen = self.known().get(&formats).copied();
+        let seen = self.known().get(&formats).cloned();
         let tried = seen.unwrap_or_else(|| {
-            let tried = self.tried(&formats);
-            self.known().insert(formats.clone(), tried);
+            let tried = self.tried(&formats).map(Arc::new);
+            self.known().insert(formats.clone(), tried.clone());
             tried
         });
         tried.map(|tried| State { formats, tried })
     }
 
-    fn known(&self) -> std::sync::MutexGuard<'_, HashMap<Formats, Option<Tried>>> {
+    fn known(&self) -> std::sync::MutexGuard<'_, HashMap<Formats, Option<Arc<Tried>>>> {
         // Whoever panicked while it held the lock had not begun to change anything.
         self.known.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
     }
@@ -90,39 +90,68 @@ impl<'a> Trials<'a> {
     fn tried(&self, formats: &[u32]) -> Option<Tried> {
         let general = self.start.with_fraction_bits(formats)?;
         let spec = general.nearly_specialised_as(self.start);
-        let design = specula_hdl::elaborate(&spec, "core").ok()?;
-        let cells = Cost::of(&design, Some(self.block)).cells();
-        Some(Tried { bound: design.error_bound(), cells }).filter(|tried| tried.bound.is_finite())
+        self.appraised(&spec).ok().filter(|tried| tried.bound.is_finite())
+    }
+
+    /// The bound and the size of a core.
+    ///
+    /// # Errors
+    /// [`BuildError`] if it cannot be built.
+    pub fn appraised(&self, spec: &CoreSpec) -> Result<Tried, BuildError> {
+        let graph = specula_hdl::cores::graph(spec, |formula| Builder::new("core", formula))?;
+        let bound = pass::bounds(&graph).of_outputs(&graph);
+        let extent = pass::extent(&graph)?;
+        let factors = extent.factors.iter();
+        // Widths are below 2^31.
+        let products = factors
+            .map(|factors| self.products.of(factors, factors.widths.map(|width| width as i32)));
+        let product_cells: i64 = products.sum();
+        let size = &extent.size;
+        // Sizes are far below 2^63.
+        let others = (size.adder_bits + size.register_bits + size.table_bits) as i64;
+        Ok(Tried { bound, product_cells, cells: product_cells + others, extent })
     }
 
     /// The start's formats, all finer by so many bits, each as far as it may be; none if no such core
     /// can be described.
     pub fn finer(&self, added: i32) -> Option<Formats> {
-        let formats = formats_of(self.start);
-        let moved = formats
-            .iter()
-            .zip(&self.kept)
-            .map(|(&bits, kept)| if *kept { bits } else { bits.saturating_add_signed(added) });
-        self.allowed(&moved.collect::<Formats>())
+        let bits = formats_of(self.start);
+        let moved = bits.iter().map(|bits| bits.saturating_add_signed(added));
+        self.allowed(moved.collect())
     }
 
-    /// For each narrowing point the formats with that one finer by so many bits, and with those that
-    /// this takes along; none if it may not be, or is to be kept.
-    pub fn neighbours(&self, formats: &[u32], added: i32) -> Vec<Option<Formats>> {
-        (0..formats.len()).map(|point| self.neighbour(formats, point, added)).collect()
-    }
-
-    /// One of them.
+    /// The formats with one narrowing point finer by so many bits, and with those that this takes
+    /// along; none if it may not be, or is to be kept.
     pub fn neighbour(&self, formats: &[u32], point: usize, added: i32) -> Option<Formats> {
         let mut moved = formats.to_vec();
         moved[point] = moved[point].checked_add_signed(added)?;
-        self.allowed(&moved).filter(|allowed| allowed[point] != formats[point])
+        self.allowed(moved).filter(|allowed| allowed[point] != formats[point])
     }
 
-    /// The nearest formats that a core may have; none if a kept one would change.
-    fn allowed(&self, formats: &[u32]) -> Option<Formats> {
-        let allowed = formats_of(&self.start.with_fraction_bits(formats)?);
+    /// By how many bits each narrowing point may be finer, at least and at most, if the others stay.
+    pub fn limits(&self, formats: &[u32]) -> Vec<[i32; 2]> {
+        let spec = self.start.with_fraction_bits(formats);
+        let points = spec.as_ref().unwrap_or(self.start).narrowing_points();
+        let limits = points.iter().zip(&self.kept).map(|(point, kept)| {
+            // Bits are below 2^31.
+            let added = |limit: u32| limit as i32 - point.format.fraction_bits as i32;
+            let [least, most] =
+                [added(point.fewest_fraction_bits), added(point.most_fraction_bits)];
+            if *kept { [0, 0] } else { [least, most.max(least)] }
+        });
+        limits.collect()
+    }
+
+    /// The nearest formats that a core may have, with those that are kept as they are; none if
+    /// there are none.
+    pub fn allowed(&self, mut formats: Formats) -> Option<Formats> {
         let start = formats_of(self.start);
+        for (point, &bits) in start.iter().enumerate() {
+            if self.kept[point] {
+                formats[point] = bits;
+            }
+        }
+        let allowed = formats_of(&self.start.with_fraction_bits(&formats)?);
         let stays = |point: usize| !self.kept[point] || allowed[point] == start[point];
         (0..allowed.len()).all(stays).then_some(allowed)
     }

@@ -27,10 +27,13 @@ impl Variant {
         [Variant::default_of(method)].into_iter().chain(changed).collect()
     }
 
-    /// The `[core]` table for it.
+    /// The `[core]` table for it, with which `run` makes the same core.
     pub fn core(&self) -> String {
         let name = self.method.name();
-        format!("[core]\nmethod = \"{name}\"\n\n[core.{name}]\n{}", self.table)
+        format!(
+            "[core]\nmethod = \"{name}\"\nformats = \"recommended\"\n\n[core.{name}]\n{}",
+            self.table
+        )
     }
 
     /// The options as the program reads them.

@@ -3,10 +3,13 @@ use std::fmt::{self, Display, Formatter};
 use std::str::FromStr;
 
 use specula_scene::LoadedScene;
-use specula_spec::{CoreSpec, Method, SceneCore};
+use specula_spec::{CoreError, CoreSpec, Method, SceneCore, UnnamedFormats};
 
-/// The number of fraction bits by which all formats of a core are finer than those that its method
-/// recommends for the scene; fewer for a format that may not have so many.
+use crate::cost::GENERIC_BLOCK;
+use crate::formats::{Products, default_core};
+
+/// The number of fraction bits by which all formats of a core are finer than those of its method's
+/// default core for the scene; fewer for a format that may not have so many.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Formats(i32);
 
@@ -15,12 +18,12 @@ const NAMED: [(&str, Formats); 3] =
     [("narrow", Formats(-4)), ("default", Formats::DEFAULT), ("wide", Formats(2))];
 
 impl Formats {
-    /// The formats that the method recommends for the scene.
+    /// The formats of the default core.
     pub const DEFAULT: Formats = Formats(0);
     /// Largest number of bits by which formats may differ from those recommended.
     pub const MOST: i32 = 12;
 
-    /// Number of fraction bits more than recommended.
+    /// Number of fraction bits more than those of the default core.
     pub const fn added(self) -> i32 {
         self.0
     }
@@ -68,25 +71,36 @@ impl Display for Configuration {
     }
 }
 
+/// The default core of a method for a scene: with the options that the scene file gives the method,
+/// specialised as the scene asks for, in the formats in which `run` makes it for any device.
+///
+/// # Errors
+/// The reason why there is none.
+pub fn default_spec(method: Method, scene: &LoadedScene) -> Result<CoreSpec, String> {
+    let words = |error: CoreError| error.to_string();
+    let recommended = scene.core_spec(Some(method)).map_err(words)?;
+    if scene.unnamed_formats().map_err(words)? == UnnamedFormats::Recommended {
+        return Ok(recommended);
+    }
+    let named = scene.named_formats(method).map_err(words)?;
+    let products = Products::Blocks(GENERIC_BLOCK);
+    let default = default_core(recommended, &scene.frame, &named, products);
+    default.map(|default| default.spec).map_err(|error| error.to_string())
+}
+
 impl Configuration {
-    /// Its core for a scene, with the options that the scene file gives its method, specialised as
-    /// the scene asks for.
+    /// Its core for a scene, whose default core by the method is `default`.
     ///
     /// # Errors
-    /// The reason why there is none: the method cannot shade the scene, or no format can be so much
-    /// wider or narrower.
-    pub fn spec(&self, scene: &LoadedScene) -> Result<CoreSpec, String> {
-        let recommended = scene.core_spec(Some(self.method)).map_err(|error| error.to_string())?;
+    /// The reason why there is none: no format can be so much wider or narrower.
+    pub fn spec(&self, default: &CoreSpec, scene: &LoadedScene) -> Result<CoreSpec, String> {
         if self.formats == Formats::DEFAULT {
-            return Ok(recommended);
+            return Ok(default.clone());
         }
-        let finer = recommended.general().finer(self.formats.added(), &[]);
-        let spec = finer.ok_or("no format of it can differ so much from the one recommended")?;
-        Ok(if recommended.specialisation.is_general() {
-            spec
-        } else {
-            spec.specialised(&scene.frame)
-        })
+        let finer = default.general().finer(self.formats.added(), &[]);
+        let spec = finer.ok_or("no format of it can differ so much from the default")?;
+        let is_general = default.specialisation.is_general();
+        Ok(if is_general { spec } else { spec.specialised(&scene.frame) })
     }
 }
 
@@ -110,10 +124,11 @@ mod tests {
     #[test]
     fn narrower_formats_make_smaller_cores() {
         let scene = specula_scene::load("icosahedron", Some((24, 18))).unwrap();
+        let default = default_spec(Method::Lyon, &scene).unwrap();
         let bits = |text: &str| {
-            let spec = Configuration { method: Method::Lyon, formats: text.parse().unwrap() }
-                .spec(&scene)
-                .unwrap();
+            let configuration =
+                Configuration { method: Method::Lyon, formats: text.parse().unwrap() };
+            let spec = configuration.spec(&default, &scene).unwrap();
             specula_hdl::elaborate(&spec, "core").unwrap().size().multiplier_bits
         };
         assert!(bits("narrow") < bits("default") && bits("default") < bits("+1"));

@@ -247,9 +247,8 @@ fn json(value: &impl Serialize) -> io::Result<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Configuration;
     use super::*;
-    use specula_spec::Method;
+    use specula_spec::{Method, SceneCore};
     use std::fs;
 
     fn with_results(test: impl Fn(&LoadedScene, &Path, &[CoreSpec])) {
@@ -258,9 +257,7 @@ mod tests {
             folder.path().join("results.jsonl"),
             specula_scene::load("icosahedron", Some((16, 12))).unwrap(),
         );
-        let spec = |method| {
-            Configuration { method, formats: "default".parse().unwrap() }.spec(&scene).unwrap()
-        };
+        let spec = |method| scene.core_spec(Some(method)).unwrap();
         let specs = [Method::Gouraud, Method::Hybrid].map(spec);
         let (journal, damaged) = Journal::open(&path, &scene).unwrap();
         assert_eq!(damaged, []);

@@ -5,6 +5,7 @@ use specula_scene::LoadedScene;
 use specula_spec::CoreSpec;
 use thiserror::Error;
 
+use super::configuration::default_spec;
 use super::{Configuration, Journal, JournalError, Measured};
 use specula_testbench::BenchError;
 
@@ -55,11 +56,21 @@ pub enum SweepError {
     Journal(#[from] JournalError),
 }
 
-/// The cores of configurations for a scene.
-pub fn plan(scene: &LoadedScene, configurations: Vec<Configuration>) -> Vec<Planned> {
-    let planned =
-        |configuration: Configuration| Planned { spec: configuration.spec(scene), configuration };
-    configurations.into_par_iter().map(planned).collect()
+/// The cores of configurations for a scene. Those of a method that follow each other share the
+/// search for its default formats.
+pub fn plan(scene: &LoadedScene, configurations: &[Configuration]) -> Vec<Planned> {
+    let methods: Vec<&[Configuration]> =
+        configurations.chunk_by(|a, b| a.method == b.method).collect();
+    let planned = |of_method: &[Configuration]| {
+        // Chunks are not empty.
+        let default = default_spec(of_method[0].method, scene);
+        let planned = |&configuration: &Configuration| {
+            let default = default.as_ref().map_err(Clone::clone);
+            Planned { spec: default.and_then(|of| configuration.spec(of, scene)), configuration }
+        };
+        of_method.iter().map(planned).collect::<Vec<Planned>>()
+    };
+    methods.into_par_iter().flat_map_iter(planned).collect()
 }
 
 /// Measures every core whose result is not in `journal`. `done` is called for each one as soon as

@@ -17,7 +17,7 @@ use specula_spec::{CoreSpec, MethodSpec};
 use specula_datapath::builder::{BuildError, Builder};
 use specula_datapath::design::Design;
 use specula_datapath::graph::Graph;
-use specula_datapath::pass::{ClockLimit, Pipelining, compile};
+use specula_datapath::pass::{ClockLimit, Pipelining, bounds, compile};
 
 /// The core that a spec asks for, elaborated under the module name `name`.
 ///
@@ -33,6 +33,15 @@ pub fn elaborate(spec: &CoreSpec, name: &str) -> Result<Design, BuildError> {
         None => Pipelining::EachOperator,
     };
     Ok(compile(&graph, &pipelining)?)
+}
+
+/// The proven bound of a core's quantisation error, in LSBs: that of its design, which is not made.
+///
+/// # Errors
+/// As [`elaborate`].
+pub fn error_bound(spec: &CoreSpec) -> Result<f64, BuildError> {
+    let graph = graph(spec, |formula| Builder::new("core", formula))?;
+    Ok(bounds(&graph).of_outputs(&graph))
 }
 
 /// The highest clock, in MHz, that the target of a spec allows its core; that of the spec where it

@@ -70,6 +70,9 @@ pub struct Report<'a> {
     pub largest_code_difference: u8,
     /// Proven bound of the quantisation error; `None` if there is no finite one.
     pub bound_lsb: Option<f64>,
+    /// Why the core is not faithful by proof, where it was to be; `None` where it is, or formats
+    /// were asked for.
+    pub not_faithful: Option<String>,
     /// The bound divided by the largest measured quantisation error.
     pub bound_ratio: Option<f64>,
     /// By how much the bound would shrink if one narrowing point rounded far more finely, the
@@ -179,6 +182,7 @@ impl<'a> Report<'a> {
             error: &comparison.errors,
             largest_code_difference: comparison.largest_code_difference,
             bound_lsb: bound.is_finite().then_some(bound),
+            not_faithful: run.job.not_faithful.as_ref().map(ToString::to_string),
             bound_ratio: run.bound_ratio(),
             bound_shares: &run.bound_shares,
             worst_pixel: comparison.worst_pixel.map(|worst| WorstPixel {

@@ -20,6 +20,12 @@ pub fn device(report: &Report) -> Option<[String; 2]> {
     report.fitted.as_ref().map(|fitted| ["device".to_owned(), fitted.in_words()])
 }
 
+/// The reason why the core has recommended formats, where it was to be faithful.
+pub fn formats(report: &Report) -> Option<[String; 2]> {
+    let reason = report.not_faithful.as_ref()?;
+    Some(["formats".to_owned(), format!("recommended ones: {reason}")])
+}
+
 /// The target and the clock that the core was made for, and the predicted clock, if it has any.
 pub fn made_for(report: &Report) -> Option<[String; 2]> {
     let made_for = MadeFor::of(report.spec, &report.run.bench.design)?;

@@ -42,7 +42,8 @@ fn headers_have_the_command_that_makes_the_same_core() {
         ([&["--bound", "1lsb"], &device[..]].concat(), " --bound 1lsb --device ice40up5k"),
         (vec!["--max-error", "25lsb"], " --max-error 25lsb"),
         (vec!["--max-quantisation", "1.5lsb"], " --max-quantisation 1.5lsb"),
-        (device.to_vec(), ""),
+        (device.to_vec(), " --device ice40up5k"),
+        (vec!["--formats", "recommended"], " --formats recommended"),
     ] {
         let verilog = place.succeeds(&[&teapot[..], &asked, &["-o", "-"]].concat());
         let command = format!("specula {}{recorded}", teapot.join(" "));
