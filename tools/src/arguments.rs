@@ -1,10 +1,12 @@
 //! Arguments that several subcommands share, and their meaning.
 use std::path::PathBuf;
 
-use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{ArgGroup, Args};
+use specula_datapath::Design;
 use specula_datapath::target::Target;
 use specula_experiments::cost::GENERIC_BLOCK;
+use specula_experiments::explore::{Device, WantedClock};
 use specula_experiments::formats;
 use specula_experiments::search::{self, Measured};
 use specula_hdl::module_name;
@@ -14,7 +16,8 @@ use specula_spec::{CoreSpec, Method, SceneCore, SpecFile, Specialise, TargetCloc
 use specula_testbench::trace::Choice;
 use specula_testbench::{BenchError, EngineKind};
 
-use crate::error::ToolError;
+use crate::device::{Fitted, device_parser};
+use crate::error::{OtherTarget, ToolError};
 
 /// The folder to be written.
 #[derive(Clone, Debug, Args)]
@@ -107,18 +110,31 @@ pub struct CoreArguments {
     pub made_for: TargetArguments,
 }
 
-/// The clock that a core is made for.
+/// The clock, and the target or the device, that a core is made for.
 #[derive(Clone, Debug, Default, Args)]
+#[command(group = ArgGroup::new(PART).args(["target", "device"]).multiple(true))]
 pub struct TargetArguments {
-    /// Target whose cells and delays the core is made for [default: any device, with a register
-    /// behind each operator]
+    /// Target whose cells and delays the core is made for [default: the device's, else any device,
+    /// with a register behind each operator]
     #[arg(long, value_name = "TARGET", value_parser = target_parser())]
     pub target: Option<String>,
+    /// The FPGA that the core has to fit: look-up tables are estimated, the rest is counted
+    #[arg(long, value_name = "DEVICE", value_parser = device_parser())]
+    pub device: Option<Device>,
     /// Clock in MHz that the core is pipelined for, from 1 to 1000, or max for the highest that
     /// its loops allow [default: max]
-    #[arg(long, value_name = "MHZ", value_parser = parse_clock, requires_if("max", "target"))]
+    #[arg(long, value_name = "MHZ", value_parser = parse_clock, requires_if("max", PART))]
     pub clock: Option<Clock>,
 }
+
+/// `--target` or `--device`.
+pub const PART: &str = "part";
+
+/// What `--clock` means where it needs no target.
+pub const CLOCK_HELP: &str = "\
+Clock in MHz, from 1 to 1000, that a core with --target or --device is pipelined for, or max for the \
+highest that its loops allow [default: max]; without, the one at which frames per second are counted: \
+assumed, not proven [default: 100]";
 
 /// A clock that is asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -130,23 +146,76 @@ pub enum Clock {
 }
 
 impl TargetArguments {
-    /// Widths of the signed operands of the target's multiplier blocks, if it has any.
+    /// Widths of the signed operands of the multiplier blocks of the device or the target, if one is
+    /// named and has any.
     fn block(&self) -> Option<[u32; 2]> {
-        let target = Target::named(self.target.as_ref()?)?;
+        let of_device = self.device.as_ref().map(|device| device.target.as_str());
+        let target = Target::named(of_device.or(self.target.as_deref())?)?;
         target.multiplier.map(|multiplier| multiplier.widths)
     }
 
-    /// The clock in MHz that is given where no target is.
-    pub fn given_for_any_device(&self) -> Option<f64> {
-        match (&self.target, self.clock) {
-            (None, Some(Clock::Mhz(mhz))) => Some(mhz),
+    /// The target that a core is made for: the one that is named, or else the device's, if its delays
+    /// are known.
+    ///
+    /// # Errors
+    /// [`OtherTarget`] where both are named and do not belong together.
+    pub fn target(&self) -> Result<Option<&str>, OtherTarget> {
+        let Some(device) = &self.device else { return Ok(self.target.as_deref()) };
+        match &self.target {
+            Some(target) if *target != device.target => Err(OtherTarget {
+                device: device.name.clone(),
+                own: device.target.clone(),
+                target: target.clone(),
+            }),
+            _ => {
+                Ok(Some(device.target.as_str()).filter(|own| Target::clocked().any(|t| t == *own)))
+            }
+        }
+    }
+
+    /// The target and the clock that cores of a search are made for; none if they are for any device.
+    ///
+    /// # Errors
+    /// As [`TargetArguments::target`].
+    pub fn wanted(&self) -> Result<Option<WantedClock>, OtherTarget> {
+        let named = self.target()?.filter(|target| *target != ANY_DEVICE);
+        let mhz = match self.clock {
+            Some(Clock::Mhz(mhz)) => Some(mhz),
             _ => None,
+        };
+        Ok(named.and_then(Target::named).map(|target| WantedClock { target, mhz }))
+    }
+
+    /// The clock in MHz that is given where cores are made for any device.
+    pub fn given_for_any_device(&self) -> Option<f64> {
+        match (self.target(), self.clock) {
+            (Ok(None), Some(Clock::Mhz(mhz))) => Some(mhz),
+            _ => None,
+        }
+    }
+
+    /// The share of the device that a core takes, if the user named a device.
+    ///
+    /// # Errors
+    /// [`ToolError::DoesNotFit`] if the core takes more than the device has, and
+    /// [`ToolError::OtherTarget`] if it is made for another target.
+    pub fn fitted(&self, spec: &CoreSpec, design: &Design) -> Result<Option<Fitted>, ToolError> {
+        let Some(device) = self.device.clone() else { return Ok(None) };
+        match &spec.target {
+            Some(clock) if clock.name != device.target => {
+                Err(ToolError::OtherTarget(OtherTarget {
+                    device: device.name,
+                    own: device.target,
+                    target: clock.name.clone(),
+                }))
+            }
+            _ => Ok(Some(Fitted::on(device, design)?)),
         }
     }
 
     /// A core made for what is asked for; unchanged where nothing is.
     pub fn made_for(&self, spec: CoreSpec) -> Result<CoreSpec, ToolError> {
-        let Some(name) = self.target.clone() else { return Ok(spec) };
+        let Some(name) = self.target()?.map(str::to_owned) else { return Ok(spec) };
         let with = |clock_mhz| CoreSpec {
             target: Some(TargetClock { name: name.clone(), clock_mhz }),
             ..spec.clone()
@@ -181,27 +250,18 @@ fn parse_clock(text: &str) -> Result<Clock, String> {
 }
 
 impl CoreArguments {
-    /// The core for a scene; on a device, if one is named, whose multiplier blocks have operands of
-    /// these widths.
-    pub fn core(
-        &self,
-        scene: &LoadedScene,
-        block: Option<[u32; 2]>,
-    ) -> Result<CoreSpec, ToolError> {
-        self.made_for.made_for(self.in_formats(scene, block)?)
+    /// The core for a scene.
+    pub fn core(&self, scene: &LoadedScene) -> Result<CoreSpec, ToolError> {
+        self.made_for.made_for(self.in_formats(scene)?)
     }
 
     /// The core for a scene, for no clock in particular, in the formats that are asked for.
-    fn in_formats(
-        &self,
-        scene: &LoadedScene,
-        block: Option<[u32; 2]>,
-    ) -> Result<CoreSpec, ToolError> {
+    fn in_formats(&self, scene: &LoadedScene) -> Result<CoreSpec, ToolError> {
         let (spec, frame) = (scene.core_spec(self.method)?, &scene.frame);
         if let Some(below) = self.bound {
             let start = specialised(spec, self.specialise, frame);
             let kept = &scene.named_formats(start.method())?;
-            let block = block.or(self.made_for.block()).unwrap_or(GENERIC_BLOCK);
+            let block = self.made_for.block().unwrap_or(GENERIC_BLOCK);
             let wanted = formats::Wanted { below, block, kept };
             return Ok(formats::cheapest_formats(&start, frame, &wanted)??.spec);
         }

@@ -7,7 +7,6 @@ use specula_spec::SpecFile;
 use specula_testbench::BenchError;
 
 use crate::arguments::{NameArguments, OutputArguments};
-use crate::device::DeviceArguments;
 use crate::error::ToolError;
 use crate::job::SceneOrSpec;
 use crate::output::{Interrupts, write_core};
@@ -31,8 +30,6 @@ pub struct Arguments {
     output: OutputArguments,
     #[command(flatten)]
     name: NameArguments,
-    #[command(flatten)]
-    device: DeviceArguments,
 }
 
 /// The argument of `--output` that stands for standard output.
@@ -44,10 +41,10 @@ pub fn execute(
     stdout: &mut dyn Write,
     interrupts: &Interrupts,
 ) -> Result<Verdict, ToolError> {
-    let (file, origin) = arguments.core.file(&arguments.device, &arguments.name)?;
+    let (file, origin) = arguments.core.file(&arguments.name)?;
     let module = specula_hdl::module_name(&file.name, &file.spec);
     let design = specula_hdl::elaborate(&file.spec, &module).map_err(BenchError::from)?;
-    arguments.device.fitted(&design)?;
+    arguments.core.made_for().fitted(&file.spec, &design)?;
     let text = verilog::text(&origin, &file.spec, &design);
     let folder = arguments.output.folder(&file.name);
     if folder == Path::new(STANDARD_OUTPUT) {

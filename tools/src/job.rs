@@ -5,8 +5,9 @@ use clap::Args;
 use specula_scene::LoadedScene;
 use specula_spec::{CoreSpec, FittedCore, SpecFile};
 
-use crate::arguments::{CoreArguments, NameArguments, PictureArguments, SceneArguments};
-use crate::device::DeviceArguments;
+use crate::arguments::{
+    CoreArguments, NameArguments, PART, PictureArguments, SceneArguments, TargetArguments,
+};
 use crate::error::{Refused, ToolError};
 use crate::verilog::Origin;
 
@@ -25,12 +26,11 @@ impl Job {
     pub fn of_scene(
         scene: &SceneArguments,
         core: &CoreArguments,
-        device: &DeviceArguments,
         name: &NameArguments,
     ) -> Result<Job, ToolError> {
         let loaded = scene.load()?;
-        let spec = core.core(&loaded, device.block())?;
-        let origin = Origin::of_scene(scene, core, device, &spec).with_name(name);
+        let spec = core.core(&loaded)?;
+        let origin = Origin::of_scene(scene, core, &spec).with_name(name);
         let mut file = SpecFile { name: loaded.name.clone(), spec };
         name.rename(&mut file)?;
         Ok(Job { file, scene: loaded, origin })
@@ -81,7 +81,7 @@ fn made_before(path: &Path, name: &NameArguments) -> Result<(SpecFile, Origin), 
 
 /// The arguments that name a core for a scene, or one that was made before.
 #[derive(Clone, Debug, Args)]
-#[command(mut_arg("clock", |clock| clock.requires("target")))]
+#[command(mut_arg("clock", |clock| clock.requires(PART)))]
 pub struct SceneOrSpec {
     /// A built-in scene (see `specula scenes`), a scene file (.toml), or a mesh (.obj, .ply, .stl,
     /// .glb)
@@ -98,17 +98,13 @@ pub struct SceneOrSpec {
 
 impl SceneOrSpec {
     /// The core and its origin.
-    pub fn file(
-        &self,
-        device: &DeviceArguments,
-        name: &NameArguments,
-    ) -> Result<(SpecFile, Origin), ToolError> {
+    pub fn file(&self, name: &NameArguments) -> Result<(SpecFile, Origin), ToolError> {
         match &self.spec {
             Some(path) => {
                 let (file, origin) = made_before(path, name)?;
                 let made_for = &self.wanted.made_for;
                 let spec = made_for.made_for(file.spec)?;
-                let origin = match made_for.target {
+                let origin = match made_for.target()? {
                     Some(_) => origin.with_target(&spec),
                     None => origin,
                 };
@@ -116,7 +112,7 @@ impl SceneOrSpec {
             }
             None => {
                 let scene = self.scene();
-                let Job { file, origin, .. } = Job::of_scene(&scene, &self.wanted, device, name)?;
+                let Job { file, origin, .. } = Job::of_scene(&scene, &self.wanted, name)?;
                 Ok((file, origin))
             }
         }
@@ -128,11 +124,10 @@ impl SceneOrSpec {
     /// [`ToolError::NoScene`] if the core is a file and no scene is named, and
     /// [`ToolError::Refused`] if the core cannot shade the scene.
     pub fn job(&self, named: Option<&str>, name: &NameArguments) -> Result<Job, ToolError> {
-        let device = DeviceArguments::default();
         let Some(named) = named else {
             return match &self.spec {
                 Some(_) => Err(ToolError::NoScene),
-                None => Job::of_scene(&self.scene(), &self.wanted, &device, name),
+                None => Job::of_scene(&self.scene(), &self.wanted, name),
             };
         };
         let scene =
@@ -141,7 +136,12 @@ impl SceneOrSpec {
             Some(path) => path,
             None => Path::new(self.scene.as_deref().unwrap_or_default()),
         };
-        Job::shading(self.file(&device, name)?, &scene, core)
+        Job::shading(self.file(name)?, &scene, core)
+    }
+
+    /// The target and the device that the core is made for.
+    pub fn made_for(&self) -> &TargetArguments {
+        &self.wanted.made_for
     }
 
     /// The scene that the core is made for.

@@ -4,9 +4,11 @@
 //! are nanoseconds.
 mod delay;
 mod device;
+mod logic;
 
 pub use delay::Shape;
 pub use device::Device;
+pub use logic::{Carry, Logic, LogicCell};
 use serde::Deserialize;
 
 use crate::design::Primitives;
@@ -23,6 +25,9 @@ pub struct Target {
     pub measured: String,
     /// Delays of the fabric; a target without them can be asked for no clock.
     pub fabric: Option<Fabric>,
+    /// How its look-up tables are counted.
+    #[serde(default)]
+    pub logic: Logic,
     /// Its multiplier blocks, if it has any.
     pub multiplier: Option<Multiplier>,
     /// Its block RAM, if it has any.

@@ -55,10 +55,17 @@ pub enum SweepError {
     Journal(#[from] JournalError),
 }
 
-/// The cores of configurations for a scene.
-pub fn plan(scene: &LoadedScene, configurations: Vec<Configuration>) -> Vec<Planned> {
-    let planned =
-        |configuration: Configuration| Planned { spec: configuration.spec(scene), configuration };
+/// The cores of configurations for a scene, each as `made` makes it for a target; it says why where
+/// it cannot.
+pub fn plan(
+    scene: &LoadedScene,
+    configurations: Vec<Configuration>,
+    made: &(dyn Fn(CoreSpec) -> Result<CoreSpec, String> + Sync),
+) -> Vec<Planned> {
+    let planned = |configuration: Configuration| Planned {
+        spec: configuration.spec(scene).and_then(made),
+        configuration,
+    };
     configurations.into_par_iter().map(planned).collect()
 }
 
