@@ -8,9 +8,10 @@
 //! pixel.
 //!
 //! Cores for any device are compared by their size. Those that are made for a target have clocks of
-//! their own, so they are compared by cells times the time for a frame. Where each is to have its
-//! highest clock, the search makes all cores of the same options for the highest clock of the first,
-//! since loops limit it more than formats do; those that it finds get their own.
+//! their own, so they are compared by cells times the time for a frame. The search itself elaborates
+//! them for any device, which takes a thirtieth of the time: it estimates their cells on the target,
+//! and takes the highest clock of the first core with the same options for theirs, since loops limit it
+//! more than formats do. Those that it finds are then made for the target.
 mod device;
 mod on_target;
 mod options;
@@ -19,6 +20,7 @@ use std::cell::RefCell;
 
 use rayon::prelude::*;
 use serde::Serialize;
+use specula_datapath::Design;
 use specula_scene::{Frame, Needs};
 use specula_spec::{CoreSpec, Method};
 
@@ -105,12 +107,23 @@ pub fn explore(
     let refused = searched.iter().filter_map(|searched| searched.refused.clone()).collect();
     let tried: Vec<Explored> = searched.into_iter().flat_map(|searched| searched.tried).collect();
     let number = tried.len();
-    let (met, others): (Vec<_>, Vec<_>) =
-        tried.into_par_iter().partition(|core| wanted.is_met(core));
-    let candidates = if met.is_empty() { others } else { met };
-    let front = measured(front(candidates), frame, wanted)?;
+    let front = measured(candidates(tried, wanted), frame, wanted)?;
     let best = front.iter().position(|core| core.error <= wanted.most && wanted.is_met(core));
     Ok(Exploration { front, best, tried: number, refused })
+}
+
+/// The cores on the front of those that fit the device and reach the clock, and on the front of the
+/// others: whether they do is only estimated before they are made for the target.
+fn candidates(tried: Vec<Explored>, wanted: &Wanted) -> Vec<Explored> {
+    let (met, others): (Vec<_>, Vec<_>) =
+        tried.into_par_iter().partition(|core| wanted.is_met(core));
+    front(met).into_iter().chain(front(others)).collect()
+}
+
+/// The cores that fit the device and reach the clock, or all if none does.
+fn met_or_all(cores: Vec<Explored>, wanted: &Wanted) -> Vec<Explored> {
+    let met: Vec<Explored> = cores.iter().filter(|core| wanted.is_met(core)).cloned().collect();
+    if met.is_empty() { cores } else { met }
 }
 
 /// The cores on the front, the smallest first. Of equal cores the first is kept.
@@ -129,21 +142,19 @@ fn measured(
 ) -> Result<Vec<Explored>, BenchError> {
     let whole = ExactPicture::new(frame.clone());
     let measured = cores.into_par_iter().map(|core| {
-        let core = at_its_clock(core, frame, wanted)?;
+        let core = on_its_target(core, frame, wanted)?;
         Ok(Explored { error: whole.largest_error(&core.spec)?, ..core })
     });
-    let front = front(measured.collect::<Result<_, BenchError>>()?);
+    let front = front(met_or_all(measured.collect::<Result<_, BenchError>>()?, wanted));
     let checked = front
         .into_iter()
         .map(|core| Ok(Explored { quantisation: Some(largest_error(&core.spec, frame)?), ..core }));
     checked.collect()
 }
 
-/// A core made for its own highest clock, where that is asked for.
-fn at_its_clock(core: Explored, frame: &Frame, wanted: &Wanted) -> Result<Explored, BenchError> {
-    let Some(target) = wanted.target.as_ref().filter(|target| target.mhz.is_none()) else {
-        return Ok(core);
-    };
+/// A core made for the target that is asked for, if one is.
+fn on_its_target(core: Explored, frame: &Frame, wanted: &Wanted) -> Result<Explored, BenchError> {
+    let Some(target) = &wanted.target else { return Ok(core) };
     let spec = target.made(&core.spec)?;
     let design = specula_hdl::elaborate(&spec, "core")?;
     let (on_target, cycles) = (target.of(&design), FrameCycles::new(&design, frame));
@@ -252,7 +263,7 @@ struct Tries<'a> {
     /// The results for general cores, which are kept because specialising one takes the set-up of
     /// every span.
     known: RefCell<Vec<(CoreSpec, Tried)>>,
-    /// The clock in MHz that cores with these options are made for.
+    /// The highest clock in MHz of the first core with these options.
     clocks: RefCell<Vec<(Options, f64)>>,
 }
 
@@ -309,23 +320,29 @@ impl Tries<'_> {
         Ok(tried)
     }
 
-    /// A core made for the target that is asked for.
-    fn made(&self, options: &Options, spec: CoreSpec) -> CoreSpec {
-        let Some(target) = &self.search.wanted.target else { return spec };
+    /// What a core is likely to be on the target that is asked for, by its design for any device.
+    fn on_target(
+        &self,
+        options: &Options,
+        spec: &CoreSpec,
+        design: &Design,
+    ) -> Result<Option<OnTarget>, BenchError> {
+        let Some(target) = &self.search.wanted.target else { return Ok(None) };
         let known = self.clocks.borrow().iter().find(|(of, _)| of == options).map(|(_, mhz)| *mhz);
-        if let Some(mhz) = target.mhz.or(known) {
-            return target.at(&spec, mhz);
-        }
-        // A core that cannot be built is found to be one when it is elaborated.
-        let Ok(made) = target.made(&spec) else { return target.at(&spec, 1.0) };
-        let clock = made.target.iter().map(|clock| (options.clone(), clock.clock_mhz));
-        self.clocks.borrow_mut().extend(clock);
-        made
+        let highest = match known {
+            Some(mhz) => mhz,
+            None => {
+                let mhz = target.highest_clock(spec)?;
+                self.clocks.borrow_mut().push((options.clone(), mhz));
+                mhz
+            }
+        };
+        Ok(Some(target.estimated(design, highest)))
     }
 
     fn tried_anew(&self, options: &Options, general: &CoreSpec) -> Result<Tried, BenchError> {
         let Search { frame, sample, wanted, progress, .. } = self.search;
-        let spec = self.made(options, general.specialised(frame));
+        let spec = general.specialised(frame);
         let of = |core: &Explored| Tried::of(core, wanted);
         let seen = self.tried.borrow().iter().find(|core| core.spec == spec).map(of);
         if let Some(seen) = seen {
@@ -345,7 +362,7 @@ impl Tries<'_> {
             quantisation: None,
             bound,
             cost,
-            on_target: wanted.target.as_ref().and_then(|target| target.of(&design)),
+            on_target: self.on_target(options, &spec, &design)?,
             cycles,
             spec,
         };

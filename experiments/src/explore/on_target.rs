@@ -36,24 +36,40 @@ impl WantedClock {
     pub fn made(&self, spec: &CoreSpec) -> Result<CoreSpec, BenchError> {
         let mhz = match self.mhz {
             Some(mhz) => mhz,
-            None => specula_hdl::highest_clock(&self.at(spec, 1.0))?,
+            None => self.highest_clock(spec)?,
         };
         Ok(self.at(spec, mhz))
     }
 
+    /// The highest clock of a core on this target, in MHz.
+    ///
+    /// # Errors
+    /// As [`WantedClock::made`].
+    pub fn highest_clock(&self, spec: &CoreSpec) -> Result<f64, BenchError> {
+        Ok(specula_hdl::highest_clock(&self.at(spec, 1.0))?)
+    }
+
     /// A core for this target, at a clock.
-    pub fn at(&self, spec: &CoreSpec, clock_mhz: f64) -> CoreSpec {
+    fn at(&self, spec: &CoreSpec, clock_mhz: f64) -> CoreSpec {
         let target = TargetClock { name: self.target.name.clone(), clock_mhz };
         CoreSpec { target: Some(target), ..spec.clone() }
     }
 
     /// What a design that is made for the target is on it.
     pub fn of(&self, design: &Design) -> Option<OnTarget> {
+        Some(self.with_clock(design, Timing::of(design, &self.target)?.mhz()))
+    }
+
+    /// What a design for any device is likely to be on the target, where its highest clock is known.
+    pub fn estimated(&self, design: &Design, highest_mhz: f64) -> OnTarget {
+        self.with_clock(design, self.mhz.map_or(highest_mhz, |mhz| mhz.min(highest_mhz)))
+    }
+
+    fn with_clock(&self, design: &Design, predicted_mhz: f64) -> OnTarget {
         let resources = Resources::of(design, &self.target);
         let worth = self.target.multiplier.as_ref().map_or(0, |block| u64::from(block.worth));
         let cells = resources.luts + resources.flip_flops + worth * resources.blocks;
-        let predicted_mhz = Timing::of(design, &self.target)?.mhz();
-        Some(OnTarget { resources, cells, predicted_mhz })
+        OnTarget { resources, cells, predicted_mhz }
     }
 
     /// Whether a core reaches the clock that is asked for.
