@@ -25,6 +25,6 @@ pub fn builtin_names() -> &'static [&'static str] {
 }
 
 /// The scene file of a built-in scene.
-pub(crate) fn text(name: &str) -> Option<&'static str> {
+pub fn builtin_text(name: &str) -> Option<&'static str> {
     SCENES.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
 }

@@ -22,7 +22,7 @@ pub mod regular;
 mod surface;
 mod wrap;
 
-pub use builtin::builtin_names;
+pub use builtin::{builtin_names, builtin_text};
 pub use error::SceneError;
 pub use file::{CoreTable, SourceFile};
 pub use frame::{

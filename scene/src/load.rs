@@ -40,7 +40,7 @@ pub const LONGEST_NAME: usize = 48;
 /// would be right.
 pub fn load(scene: &str, size: Option<(u32, u32)>) -> Result<LoadedScene, SceneError> {
     let path = Path::new(scene);
-    if let Some(text) = builtin::text(scene) {
+    if let Some(text) = builtin::builtin_text(scene) {
         let source = SourceFile::new(&format!("{scene}.toml"), text.to_owned());
         return finish(scene, scene, SceneFile::parse(&source, None)?, size);
     }

@@ -7,8 +7,9 @@ use crate::error::ToolError;
 use crate::output::Interrupts;
 use crate::verdict::Verdict;
 use crate::{
-    cmd_bench, cmd_compare, cmd_explore, cmd_generate, cmd_methods, cmd_needs, cmd_reproduce,
-    cmd_run, cmd_scenes, cmd_schedule, cmd_stress, cmd_synth, cmd_wave,
+    cmd_bench, cmd_compare, cmd_completions, cmd_explore, cmd_generate, cmd_manual, cmd_methods,
+    cmd_needs, cmd_new, cmd_reproduce, cmd_run, cmd_scenes, cmd_schedule, cmd_stress, cmd_synth,
+    cmd_wave,
 };
 
 const EXAMPLES: &str = "\
@@ -53,11 +54,16 @@ pub enum Command {
     Stress(cmd_stress::Arguments),
     /// Compute the claims of the papers, and say which of them hold
     Reproduce(cmd_reproduce::Arguments),
-    /// List the built-in scenes
-    #[command(after_help = "Example: specula scenes")]
-    Scenes,
+    /// Write a scene file to begin with
+    New(cmd_new::Arguments),
+    /// List the built-in scenes, or print one's file
+    Scenes(cmd_scenes::Arguments),
     /// List the shading methods
     Methods(cmd_methods::Arguments),
+    /// Print what a shell needs to complete this program's command lines
+    Completions(cmd_completions::Arguments),
+    /// Print a page for `man`
+    Manual(cmd_manual::Arguments),
 }
 
 impl Command {
@@ -80,8 +86,11 @@ impl Command {
             Command::Explore(arguments) => cmd_explore::execute(arguments, stdout, interrupts),
             Command::Stress(arguments) => cmd_stress::execute(arguments, stdout, interrupts),
             Command::Reproduce(arguments) => cmd_reproduce::execute(arguments, stdout, interrupts),
-            Command::Scenes => cmd_scenes::execute(stdout),
+            Command::New(arguments) => cmd_new::execute(arguments, stdout, interrupts),
+            Command::Scenes(arguments) => cmd_scenes::execute(arguments, stdout),
             Command::Methods(arguments) => cmd_methods::execute(arguments, stdout),
+            Command::Completions(arguments) => cmd_completions::execute(arguments, stdout),
+            Command::Manual(arguments) => cmd_manual::execute(arguments, stdout),
         }
     }
 }

@@ -1,16 +1,38 @@
 //! `specula scenes`: the built-in scenes.
 use std::io::Write;
 
+use clap::Args;
+use clap::builder::PossibleValuesParser;
+use specula_scene::{builtin_names, builtin_text};
+
 use crate::error::ToolError;
 use crate::table;
 use crate::verdict::Verdict;
 
-/// Prints a line for each built-in scene.
-pub fn execute(stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
-    let row = |name: &&str| [(*name).to_owned(), description(name).to_owned()];
-    let rows: Vec<[String; 2]> = specula_scene::builtin_names().iter().map(row).collect();
-    write!(stdout, "{}", table::shown(&rows)).map_err(ToolError::Print)?;
+const EXAMPLE: &str = "\
+Example: specula scenes --show lamps > mine.toml";
+
+/// Arguments of `scenes`.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = EXAMPLE)]
+pub struct Arguments {
+    /// Print the scene file of this scene
+    #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(builtin_names()))]
+    show: Option<String>,
+}
+
+/// Prints a line for each built-in scene, or the file of one.
+pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
+    let shown = arguments.show.as_deref().and_then(builtin_text);
+    let text = shown.map_or_else(lines, str::to_owned);
+    write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
     Ok(Verdict::Done)
+}
+
+fn lines() -> String {
+    let row = |name: &&str| [(*name).to_owned(), description(name).to_owned()];
+    let rows: Vec<[String; 2]> = builtin_names().iter().map(row).collect();
+    table::shown(&rows)
 }
 
 /// A description of a built-in scene.

@@ -142,6 +142,22 @@ pub enum ToolError {
         /// What the run has.
         there: String,
     },
+    /// There is a file where a new one is to be written.
+    #[error("{} is there already", path.display())]
+    #[diagnostic(code(specula::new), help("choose another name, or remove it"))]
+    Exists {
+        /// The file.
+        path: PathBuf,
+    },
+    /// There is no such subcommand.
+    #[error("there is no subcommand `{}`", name.escape_debug())]
+    #[diagnostic(code(specula::manual), help("there are {known}"))]
+    NoSuchCommand {
+        /// The name asked for.
+        name: String,
+        /// The subcommands that there are.
+        known: String,
+    },
     /// Standard output cannot be written.
     #[error("standard output cannot be written: {0}")]
     #[diagnostic(code(specula::stdout))]

@@ -16,8 +16,11 @@ fn every_command_has_help() {
         "synth",
         "schedule",
         "reproduce",
+        "new",
         "scenes",
         "methods",
+        "completions",
+        "manual",
     ] {
         let text = place.succeeds(&[command, "--help"]);
         assert!(text.contains("Example: specula"), "{text}");

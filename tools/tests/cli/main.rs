@@ -15,6 +15,7 @@ mod reproduce;
 mod run;
 mod schedule;
 mod spec;
+mod starting;
 mod stress;
 mod synth;
 mod wave;
