@@ -78,6 +78,7 @@ mod names;
 mod packet;
 pub mod pass;
 mod port;
+pub mod resources;
 pub mod stages;
 pub mod target;
 pub mod timing;

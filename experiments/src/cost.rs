@@ -3,6 +3,7 @@
 use serde::Serialize;
 use specula_datapath::Design;
 use specula_datapath::design::{Extent, Size};
+use specula_datapath::resources::blocks_for;
 use specula_datapath::verilog::Counted;
 
 /// Widths of the signed operands of a multiplier block where no device is named, the wider one
@@ -64,36 +65,5 @@ impl Cost {
     /// register and of read-only memory.
     pub fn cells(&self) -> u64 {
         self.multiplier_bits + self.adder_bits + self.register_bits + self.table_bits
-    }
-}
-
-/// Number of blocks for a product of two signals, which is divided into parts that a block can
-/// multiply. Parts after the first have no sign, and therefore one bit less.
-pub(crate) fn blocks_for([long, short]: [u32; 2], [a, b]: [u32; 2]) -> u64 {
-    let parts =
-        |width: u32, port: u32| u64::from(width.saturating_sub(1).div_ceil(port - 1).max(1));
-    (parts(a, long) * parts(b, short)).min(parts(a, short) * parts(b, long))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn products_are_cut_into_what_blocks_multiply() {
-        for (widths, blocks) in [
-            ([18, 25], 1),
-            ([25, 18], 1),
-            ([1, 1], 1),
-            ([26, 18], 2),
-            ([25, 25], 2),
-            ([49, 35], 4),
-            ([50, 35], 6),
-        ] {
-            assert_eq!(blocks_for([25, 18], widths), blocks, "{widths:?}");
-        }
-        for (widths, blocks) in [([18, 18], 1), ([19, 18], 2), ([19, 19], 4), ([36, 18], 3)] {
-            assert_eq!(blocks_for(GENERIC_BLOCK, widths), blocks, "{widths:?}");
-        }
     }
 }

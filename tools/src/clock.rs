@@ -1,23 +1,6 @@
 //! The clock at which cores are counted to run: assumed, given, or predicted by a target's delays. No
 //! tool has placed and routed them, so nothing is proven about the clock that they reach.
-use clap::Args;
 use specula_experiments::tradeoff::FrameCycles;
-
-/// `--clock`, for every command that states how fast a core is.
-#[derive(Clone, Debug, Default, Args)]
-pub struct ClockArguments {
-    /// Clock in MHz for which times and frames per second are computed: assumed, not proven
-    /// [default: 100]
-    #[arg(long = "clock", value_name = "MHZ", allow_hyphen_values = true, value_parser = parse_clock)]
-    mhz: Option<f64>,
-}
-
-impl ClockArguments {
-    /// The clock that the user gives, or the assumed one.
-    pub fn clock(&self) -> Clock {
-        self.mhz.map_or(Clock::ASSUMED, Clock::given)
-    }
-}
 
 /// A clock for which times are computed, without proof that a core reaches it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,6 +31,13 @@ impl Clock {
         Clock { mhz, source: ClockSource::Given }
     }
 
+    /// The clock at which a core is counted to run: the one that is given for any device, else the
+    /// one that its target's delays predict, else the assumed one.
+    pub fn of(predicted: Option<f64>, given: Option<f64>) -> Clock {
+        let predicted = predicted.map(Clock::predicted);
+        given.map(Clock::given).or(predicted).unwrap_or(Clock::ASSUMED)
+    }
+
     /// A clock that delays predict.
     pub fn predicted(mhz: f64) -> Clock {
         Clock { mhz, source: ClockSource::Predicted }
@@ -70,23 +60,5 @@ impl Clock {
     /// Frames per second, including set-up.
     pub fn frames_per_second(self, cycles: &FrameCycles) -> f64 {
         1e9 / self.nanoseconds(cycles.with_set_up as f64)
-    }
-}
-
-fn parse_clock(text: &str) -> Result<f64, String> {
-    let number = text.parse::<f64>().ok().filter(|mhz| (0.001..=100_000.0).contains(mhz));
-    number.ok_or_else(|| "write a number of MHz from 0.001 to 100000".to_owned())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn clocks_are_read_or_refused() {
-        assert_eq!(parse_clock("150"), Ok(150.0));
-        for text in ["", "0", "-1", "fast", "inf", "NaN", "1e9", "100MHz"] {
-            assert!(parse_clock(text).is_err(), "{text}");
-        }
     }
 }

@@ -19,15 +19,17 @@ use specula_experiments::tradeoff::{
     Configuration, Formats, Journal, Planned, interpolation_errors, plan, software, sweep,
 };
 use specula_scene::LoadedScene;
-use specula_spec::Method;
+use specula_spec::{CoreSpec, Method};
+use specula_testbench::BenchError;
 
-use crate::arguments::{SceneArguments, method_parser, selected_methods};
-use crate::clock::ClockArguments;
+use crate::arguments::{
+    CLOCK_HELP, SceneArguments, TargetArguments, method_parser, selected_methods,
+};
 use crate::error::ToolError;
 use crate::output::{Destination, Interrupts, JOURNAL, OutputError};
 use crate::progress;
 use crate::verdict::Verdict;
-use result::{Compared, sorted};
+use result::{Clocks, Compared, sorted};
 
 const EXAMPLE: &str = "\
 Simulates the core of each method with each of the formats on every pixel, and measures the papers' \
@@ -42,7 +44,7 @@ Example: specula compare teapot --methods lyon,phong,gouraud --formats -4,-2,def
 
 /// Arguments of `compare`.
 #[derive(Clone, Debug, Args)]
-#[command(after_help = EXAMPLE)]
+#[command(after_help = EXAMPLE, mut_arg("clock", |clock| clock.help(CLOCK_HELP)))]
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
@@ -60,7 +62,7 @@ pub struct Arguments {
     )]
     formats: Vec<Formats>,
     #[command(flatten)]
-    clock: ClockArguments,
+    made_for: TargetArguments,
     /// Measure everything again, including what results.jsonl has from an earlier or interrupted
     /// sweep
     #[arg(long)]
@@ -86,10 +88,12 @@ pub fn execute(
     let folder =
         arguments.output.clone().unwrap_or_else(|| PathBuf::from("out/compare").join(&scene.name));
     let destination = Destination::check(&folder, &files::names(), interrupts)?;
-    let planned = plan(&scene, &configurations(arguments));
+    let clocks = Clocks::of(&arguments.made_for)?;
+    let made = |spec| fitting(&arguments.made_for, spec).map_err(|error| error.to_string());
+    let planned = plan(&scene, &configurations(arguments), &made);
     refuse_nothing(&planned)?;
     let journal = open_journal(arguments, &destination, &scene)?;
-    let compared = compare(arguments, &scene, planned, &journal)?;
+    let compared = compare((arguments, clocks), &scene, planned, &journal)?;
     let report = files::write(&destination, &compared, &journal)?;
     let text = if arguments.json { report } else { text::text(&compared, &destination.shown) };
     write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
@@ -122,6 +126,16 @@ fn open_journal(
     Ok(journal)
 }
 
+/// A core made for the target that is asked for, if it fits the device.
+fn fitting(made_for: &TargetArguments, spec: CoreSpec) -> Result<CoreSpec, ToolError> {
+    let spec = made_for.made_for(spec)?;
+    if made_for.device.is_some() {
+        let design = specula_hdl::elaborate(&spec, "core").map_err(BenchError::from)?;
+        made_for.fitted(&spec, &design)?;
+    }
+    Ok(spec)
+}
+
 /// Refuses a scene that no method can shade: there is nothing to compare, and nothing is written.
 fn refuse_nothing(planned: &[Planned]) -> Result<(), ToolError> {
     let refusal = |planned: &Planned| {
@@ -136,7 +150,7 @@ fn refuse_nothing(planned: &[Planned]) -> Result<(), ToolError> {
 }
 
 fn compare(
-    arguments: &Arguments,
+    (arguments, clocks): (&Arguments, Clocks),
     scene: &LoadedScene,
     planned: Vec<Planned>,
     journal: &Journal,
@@ -148,12 +162,12 @@ fn compare(
         sweep(scene, planned, journal, &|configuration| step(&bar, &configuration.to_string()))?;
     let software = software::measure(&scene.frame, extent, &mut || step(&bar, "software"));
     bar.finish_and_clear();
-    let clock = arguments.clock.clock();
-    let (cores, refusals) = sorted(rows, clock);
+    let given = arguments.made_for.given_for_any_device();
+    let (cores, refusals) = sorted(rows, given);
     Ok(Compared {
         scene: scene.name.clone(),
         size: (scene.frame.width, scene.frame.height),
-        clock,
+        clocks,
         interpolation: interpolation_errors(scene),
         machine: Machine::this(),
         cores,

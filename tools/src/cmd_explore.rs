@@ -1,4 +1,6 @@
 //! `specula explore`: the smallest core that shades a scene well enough.
+mod tables;
+
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -9,9 +11,10 @@ use specula_experiments::search::error_of_method;
 use specula_scene::Frame;
 use specula_spec::{Method, SpecFile};
 
-use crate::arguments::{SceneArguments, method_parser, parse_error, selected_methods};
-use crate::clock::{Clock, ClockArguments};
-use crate::device::DeviceArguments;
+use crate::arguments::{
+    CLOCK_HELP, SceneArguments, TargetArguments, method_parser, parse_error, selected_methods,
+};
+use crate::clock::Clock;
 use crate::error::{NothingExplored, ToolError};
 use crate::output::{Interrupts, write_core};
 use crate::verdict::Verdict;
@@ -20,8 +23,10 @@ use crate::{progress, table};
 const EXAMPLE: &str = "\
 Tries options and formats of each method, every core made for the scene alone. Errors are total: \
 the core's codes against exact Phong shading, over every pixel. Cells are bit products of \
-multipliers, bits of adders, of registers and of read-only memory; with --device a multiplier \
-counts as the blocks it takes. Nothing is known about a device's timing: the clock is assumed.
+multipliers, bits of adders, of registers and of read-only memory, and the clock is assumed. With \
+--target or --device every core is made for it: cells are its look-up tables, its flip-flops, and \
+for each multiplier block what the device has of look-up tables for each; the clock is the one that \
+the target's delays predict, and cores are compared by cells times the time for a frame.
 
 DIR/spec.toml is the smallest core within the error, for `run --core` and `generate --spec`.
 
@@ -29,7 +34,7 @@ Example: specula explore teapot --max-error 2lsb --device ecp5-25 -o out/explore
 
 /// Arguments of `explore`.
 #[derive(Clone, Debug, Args)]
-#[command(after_help = EXAMPLE)]
+#[command(after_help = EXAMPLE, mut_arg("clock", |clock| clock.help(CLOCK_HELP)))]
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
@@ -44,9 +49,7 @@ pub struct Arguments {
     #[arg(long, value_name = "METHODS", value_delimiter = ',', value_parser = method_parser())]
     methods: Vec<Method>,
     #[command(flatten)]
-    device: DeviceArguments,
-    #[command(flatten)]
-    clock: ClockArguments,
+    made_for: TargetArguments,
     /// Print JSON, with every core of the front, instead of a table
     #[arg(long)]
     json: bool,
@@ -70,8 +73,10 @@ pub fn execute(
 ) -> Result<Verdict, ToolError> {
     let scene = arguments.scene.load()?;
     let methods = selected_methods(&arguments.methods);
-    let device = arguments.device.device.as_ref();
-    let wanted = Wanted { most: arguments.max_error, methods: &methods, device: device.cloned() };
+    let made_for = &arguments.made_for;
+    let (device, target) = (made_for.device.as_ref(), made_for.wanted()?);
+    let most = arguments.max_error;
+    let wanted = Wanted { most, methods: &methods, device: device.cloned(), target };
     let bar = progress::count("cores tried");
     let exploration = explore(&scene.frame, &wanted, &|| bar.inc(1));
     bar.finish_and_clear();
@@ -93,7 +98,7 @@ pub fn execute(
         serde_json::to_string_pretty(&report).map_err(ToolError::Json)? + "\n"
     } else {
         let paths: Vec<String> = written.iter().map(|path| path.display().to_string()).collect();
-        format!("{}\n{}\n", described(&exploration, arguments.clock.clock()), paths.join("\n"))
+        format!("{}\n{}\n", described(&exploration, arguments), paths.join("\n"))
     };
     write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
     Ok(verdict(&exploration))
@@ -128,49 +133,30 @@ fn nothing(wanted: &Wanted, exploration: &Exploration, frame: &Frame) -> ToolErr
                     "the nearest comes to {error:.2} LSB: {core}, whose method is off by {own:.2} LSB in exact arithmetic"
                 )
             }
-            Some(_) => "those that come as near do not fit the device".to_owned(),
+            Some(_) => "those that come as near do not fit the device, or do not reach the clock"
+                .to_owned(),
             None => exploration.refused.join("; "),
         },
     })
 }
 
-const TITLES: [&str; 9] = [
-    "",
-    "error in LSB",
-    "cells",
-    "multiplier bits",
-    "blocks",
-    "adder bits",
-    "register bits",
-    "frames/s",
-    "core",
-];
-
 /// The front as a table, and a summary of what was tried.
-fn described(exploration: &Exploration, clock: Clock) -> String {
-    let row = |(index, core): (usize, &Explored)| {
-        let Explored { core: name, error, cost, cycles, .. } = core;
-        [
-            if exploration.best == Some(index) { "best" } else { "" }.to_owned(),
-            format!("{error:.3}"),
-            cost.cells().to_string(),
-            cost.multiplier_bits.to_string(),
-            cost.blocks.map_or("-".to_owned(), |blocks| blocks.to_string()),
-            cost.adder_bits.to_string(),
-            cost.register_bits.to_string(),
-            format!("{:.0}", clock.frames_per_second(cycles)),
-            name.clone(),
-        ]
+fn described(exploration: &Exploration, arguments: &Arguments) -> String {
+    let given = arguments.made_for.given_for_any_device();
+    let on_target = exploration.front.iter().any(|core| core.on_target.is_some());
+    let (front, order, clock) = if on_target {
+        let order = "cells times time";
+        (tables::on_target(exploration), order, "the predicted clock of each".to_owned())
+    } else {
+        let clock = Clock::of(None, given);
+        (tables::for_any_device(exploration, clock), "size", clock.in_words())
     };
-    let rows = exploration.front.iter().enumerate().map(row);
-    let table: Vec<[String; 9]> = [TITLES.map(str::to_owned)].into_iter().chain(rows).collect();
     let refused: String =
         exploration.refused.iter().map(|reason| format!("left out: {reason}\n")).collect();
     let words = format!(
-        "{} cores were tried, of which these {} are neither beaten in size nor in error; frames/s, set-up counted, at {}\n{refused}",
+        "{} cores were tried, of which these {} are neither beaten in {order} nor in error; frames/s, set-up counted, at {clock}\n{refused}",
         exploration.tried,
         exploration.front.len(),
-        clock.in_words()
     );
-    format!("{}\n{}", table::shown(&table), table::paragraphs(&words))
+    format!("{front}\n{}", table::paragraphs(&words))
 }

@@ -9,7 +9,6 @@ use specula_spec::SpecFile;
 use specula_testbench::BenchError;
 
 use crate::arguments::{NameArguments, OutputArguments};
-use crate::device::DeviceArguments;
 use crate::error::ToolError;
 use crate::job::{Job, SceneOrSpec};
 use crate::output::{Interrupts, write_core};
@@ -41,8 +40,6 @@ pub struct Arguments {
     #[command(flatten)]
     name: NameArguments,
     #[command(flatten)]
-    device: DeviceArguments,
-    #[command(flatten)]
     block: BlockArguments,
 }
 
@@ -58,11 +55,11 @@ pub fn execute(
     let job = arguments.shown()?;
     let (file, origin) = match &job {
         Some(job) => (job.file.clone(), job.origin.clone()),
-        None => arguments.core.file(&arguments.device, &arguments.name)?,
+        None => arguments.core.file(&arguments.name)?,
     };
     let module = specula_hdl::module_name(&file.name, &file.spec);
     let design = specula_hdl::elaborate(&file.spec, &module).map_err(BenchError::from)?;
-    arguments.device.fitted(&design)?;
+    arguments.core.made_for().fitted(&file.spec, &design)?;
     let text = verilog::text(&origin, &file.spec, &design);
     let folder = arguments.output.folder(&file.name);
     if folder == Path::new(STANDARD_OUTPUT) {
@@ -91,7 +88,7 @@ impl Arguments {
         if !self.block.ip {
             return Ok(None);
         }
-        self.core.job(&self.device, self.block.vectors.as_deref(), &self.name).map(Some)
+        self.core.job(self.block.vectors.as_deref(), &self.name).map(Some)
     }
 
     /// Whether the given spec is the one in `folder`, which then stays as the user wrote it.

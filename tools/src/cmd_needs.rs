@@ -10,7 +10,6 @@ use specula_sim::{Progress, synthesise};
 use specula_spec::{CoreSpec, Method, Specialise};
 
 use crate::arguments::{CoreArguments, SceneArguments, method_parser};
-use crate::device::DeviceArguments;
 use crate::error::ToolError;
 use crate::verdict::Verdict;
 use crate::{progress, table};
@@ -61,7 +60,7 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
         specialise: Some(Specialise::Scene),
         ..CoreArguments::default()
     };
-    let spec = wanted.core(&scene, &DeviceArguments::default())?.spec;
+    let spec = wanted.core(&scene)?.spec;
     let (needs, savings) = (Needs::of(&scene.frame), measured(&scene, &spec, arguments.synthesis)?);
     let report = Report {
         scene: &scene.name,

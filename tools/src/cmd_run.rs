@@ -7,19 +7,20 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::Args;
+use specula_experiments::tradeoff::predicted_mhz;
 use specula_experiments::{ablation, bound_shares};
 use specula_testbench::trace::Choice;
 use specula_testbench::{Bench, EngineKind, Outcome};
 
 use crate::arguments::{
-    CoreArguments, NameArguments, OutputArguments, SceneArguments, engine_parser, parse_choice,
+    CLOCK_HELP, CoreArguments, NameArguments, OutputArguments, SceneArguments, engine_parser,
+    parse_choice,
 };
 use crate::clock::Clock;
-use crate::device::{DeviceArguments, Fitted};
+use crate::device::Fitted;
 use crate::disagreement::Disagreement;
 use crate::error::ToolError;
 use crate::job::Job;
-use crate::made_for::MadeFor;
 use crate::output::{Destination, Interrupts, REPORT};
 use crate::report::{self, Report};
 use crate::run::{DEFAULT_ENGINE, Run, simulate};
@@ -40,12 +41,6 @@ Exit status: 0 if every pixel agrees and no quantisation error is above its prov
 
 Example: specula run teapot --size 320x240 --method hybrid --trace span=100";
 
-/// What `--clock` means here, where it needs no target.
-const CLOCK_HELP: &str = "\
-Clock in MHz, from 1 to 1000, that a core with --target is pipelined for, or max for the highest that \
-its loops allow [default: max]; without, the one at which frames per second are counted: assumed, not \
-proven [default: 100]";
-
 /// Arguments of `run`.
 #[derive(Clone, Debug, Args)]
 #[command(after_help = EXAMPLE, mut_arg("clock", |clock| clock.help(CLOCK_HELP)))]
@@ -62,8 +57,6 @@ pub struct Arguments {
     core: Option<PathBuf>,
     #[command(flatten)]
     wanted: CoreArguments,
-    #[command(flatten)]
-    device: DeviceArguments,
     /// Engine that simulates the core
     #[arg(long, default_value = DEFAULT_ENGINE.name(), value_parser = engine_parser())]
     engine: EngineKind,
@@ -91,7 +84,7 @@ pub fn execute(
     let folder = arguments.output.folder(arguments.name.name.as_ref().unwrap_or(&job.scene.name));
     let destination = Destination::check(&folder, &artifacts::names(&job.module()), interrupts)?;
     let bench = Bench::new(&job.scene.frame, job.spec(), &job.module())?;
-    let fitted = arguments.device.fitted(&bench.design)?;
+    let fitted = arguments.wanted.made_for.fitted(bench.spec, &bench.design)?;
     waveform::check(&arguments.trace, &bench)?;
     let outcome = simulate(&bench, arguments.engine)?;
 
@@ -105,18 +98,15 @@ impl Arguments {
     /// The scene and the core that shades it.
     fn job(&self) -> Result<Job, ToolError> {
         match &self.core {
-            None => Job::of_scene(&self.scene, &self.wanted, &self.device, &self.name),
+            None => Job::of_scene(&self.scene, &self.wanted, &self.name),
             Some(core) => Job::with_core(&self.scene, core, &self.name),
         }
     }
 
-    /// The clock at which frames are counted: the one given for no target, else the predicted one
-    /// of a core that has a target.
+    /// The clock at which frames are counted.
     fn clock(&self, bench: &Bench) -> Clock {
-        let given = self.wanted.made_for.given_for_any_device().map(Clock::given);
-        let made_for = || MadeFor::of(bench.spec, &bench.design);
-        let predicted = || made_for().map(|made_for| Clock::predicted(made_for.timing.mhz()));
-        given.or_else(predicted).unwrap_or(Clock::ASSUMED)
+        let predicted = predicted_mhz(bench.spec, &bench.design);
+        Clock::of(predicted, self.wanted.made_for.given_for_any_device())
     }
 }
 

@@ -11,7 +11,6 @@ use clap::Args;
 use specula_testbench::BenchError;
 
 use crate::arguments::NameArguments;
-use crate::device::DeviceArguments;
 use crate::error::ToolError;
 use crate::job::SceneOrSpec;
 use crate::output::{Interrupts, write_file};
@@ -49,9 +48,10 @@ pub fn execute(
     stdout: &mut dyn Write,
     interrupts: &Interrupts,
 ) -> Result<Verdict, ToolError> {
-    let (file, _) = arguments.core.file(&DeviceArguments::default(), &NameArguments::default())?;
+    let (file, _) = arguments.core.file(&NameArguments::default())?;
     let module = specula_hdl::module_name(&file.name, &file.spec);
     let design = specula_hdl::elaborate(&file.spec, &module).map_err(BenchError::from)?;
+    arguments.core.made_for().fitted(&file.spec, &design)?;
     let limit = specula_hdl::clock_limit(&file.spec, &module).map_err(BenchError::from)?;
     let core = Core { name: &file.name, spec: &file.spec, design: &design, limit };
     let contents = Contents::of(&core);

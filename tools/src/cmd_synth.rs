@@ -5,13 +5,13 @@ use std::io::Write;
 
 use clap::Args;
 use serde::Serialize;
+use specula_experiments::explore::Device;
 use specula_flow::synth::{CriticalPath, SynthTarget, Synthesis, synthesise_and_place};
 use specula_sim::Icarus;
 use specula_spec::TargetClock;
 use specula_testbench::BenchError;
 
 use crate::arguments::NameArguments;
-use crate::device::DeviceArguments;
 use crate::error::ToolError;
 use crate::job::{Job, SceneOrSpec};
 use crate::verdict::Verdict;
@@ -69,7 +69,7 @@ struct Report<'a> {
 /// Synthesises, places, routes and prints.
 pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
     let job = arguments.simulated()?;
-    let (file, _) = arguments.core.file(&DeviceArguments::default(), &NameArguments::default())?;
+    let (file, _) = arguments.core.file(&NameArguments::default())?;
     let module = specula_hdl::module_name(&file.name, &file.spec);
     let design = specula_hdl::elaborate(&file.spec, &module).map_err(BenchError::from)?;
     let bar = progress::steps();
@@ -77,7 +77,7 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
     bar.set_message("seeds placed");
     let made_for = file.spec.target.as_ref();
     let asked = made_for.map_or(UNASKED_CLOCK, |clock| clock.clock_mhz.ceil() as u32);
-    let target = synth_target(made_for)?;
+    let target = synth_target(made_for, arguments.core.made_for().device.as_ref())?;
     let task = (asked, arguments.seeds);
     let synthesis = synthesise_and_place(&design, &target, task, &|| bar.inc(1));
     bar.finish_and_clear();
@@ -106,8 +106,7 @@ impl Arguments {
     fn simulated(&self) -> Result<Option<Job>, ToolError> {
         let Some(scene) = &self.simulate else { return Ok(None) };
         Icarus::present().map_err(BenchError::from)?;
-        let (device, name) = (DeviceArguments::default(), NameArguments::default());
-        self.core.job(&device, scene.as_deref(), &name).map(Some)
+        self.core.job(scene.as_deref(), &NameArguments::default()).map(Some)
     }
 }
 
@@ -166,8 +165,15 @@ fn steps(path: &CriticalPath) -> Vec<[String; 4]> {
 /// Frequency in MHz that place-and-route aims at where a core is made for no clock.
 const UNASKED_CLOCK: u32 = 250;
 
-/// What a core is placed on that is made for a target; an ECP5 for those that are made for any.
-fn synth_target(made_for: Option<&TargetClock>) -> Result<SynthTarget, ToolError> {
+/// What a core is placed on: the device that is named, or the largest of the target that the core is
+/// made for; an ECP5 for those that are made for any.
+fn synth_target(
+    made_for: Option<&TargetClock>,
+    device: Option<&Device>,
+) -> Result<SynthTarget, ToolError> {
+    if let Some(target) = device.and_then(|device| SynthTarget::of_device(&device.name)) {
+        return Ok(target);
+    }
     let Some(clock) = made_for else { return Ok(SynthTarget::ECP5) };
     let named = |target: &SynthTarget| target.name == clock.name;
     SynthTarget::ALL.into_iter().find(named).ok_or_else(|| ToolError::NotPlaceable {

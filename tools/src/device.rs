@@ -1,69 +1,55 @@
 //! The FPGA for which a core is made.
-use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use serde::Serialize;
 use specula_datapath::Design;
-use specula_experiments::cost::Cost;
+use specula_datapath::resources::Resources;
 use specula_experiments::explore::Device;
-use specula_experiments::formats::Products;
 
 use crate::error::DoesNotFit;
 
-/// `--device`, for every command that makes a core.
-#[derive(Clone, Debug, Default, Args)]
-pub struct DeviceArguments {
-    /// The FPGA whose multiplier blocks and registers must be enough for the core
-    #[arg(long, value_name = "DEVICE", value_parser = device_parser())]
-    pub device: Option<Device>,
-}
-
-fn device_parser() -> impl TypedValueParser<Value = Device> {
+/// `--device`.
+pub fn device_parser() -> impl TypedValueParser<Value = Device> {
     PossibleValuesParser::new(Device::all().map(|device| device.name)).try_map(|name| {
         Device::all().find(|device| device.name == name).ok_or("there is no such device")
     })
-}
-
-impl DeviceArguments {
-    /// How tools make products for the device, if the user named one.
-    pub fn products(&self) -> Option<Products> {
-        self.device.as_ref().map(|device| device.block.map_or(Products::Logic, Products::Blocks))
-    }
-
-    /// The share of the device that the core takes, if the user named a device.
-    ///
-    /// # Errors
-    /// [`DoesNotFit`] if the core takes more than the device has.
-    pub fn fitted(&self, design: &Design) -> Result<Option<Fitted>, DoesNotFit> {
-        let Some(device) = self.device.clone() else { return Ok(None) };
-        let cost = Cost::of(design, device.block);
-        let fits = cost.fits(&device);
-        let fitted = Fitted { device, cost };
-        if fits { Ok(Some(fitted)) } else { Err(does_not_fit(&fitted, design)) }
-    }
 }
 
 /// A device and the share of it that a core takes.
 #[derive(Clone, Debug, Serialize)]
 pub struct Fitted {
     device: Device,
-    cost: Cost,
+    resources: Resources,
 }
 
 impl Fitted {
-    /// The device and the cost as text.
+    /// That of a design.
+    ///
+    /// # Errors
+    /// [`DoesNotFit`] if the design takes more than the device has.
+    pub fn on(device: Device, design: &Design) -> Result<Fitted, DoesNotFit> {
+        let resources = device.resources(design);
+        let fits = device.has(&resources);
+        let fitted = Fitted { device, resources };
+        if fits { Ok(fitted) } else { Err(does_not_fit(&fitted, design)) }
+    }
+
+    /// The device and what of it is taken, as text.
     pub fn in_words(&self) -> String {
-        let Fitted { device, cost } = self;
-        let (blocks, registers) = (cost.blocks.unwrap_or(0), cost.register_bits);
-        format!(
-            "{}: {blocks} of {} multiplier blocks, {registers} of {} registers; logic cells are not counted",
-            device.name, device.blocks, device.registers
-        )
+        let Fitted { device, resources } = self;
+        let shares: Vec<String> = device
+            .shares(resources)
+            .map(|share| format!("{} of {} {}", share.taken, share.available, share.cells))
+            .collect();
+        format!("{}: {}", device.name, shares.join(", "))
     }
 }
 
 /// The error, which names the first known device that has enough for the core.
 fn does_not_fit(fitted: &Fitted, design: &Design) -> DoesNotFit {
-    let fits = |device: &Device| Cost::of(design, device.block).fits(device);
+    // A core that is made for a target has that target's cells.
+    let of_target =
+        |device: &Device| design.multipliers.is_empty() || device.target == fitted.device.target;
+    let fits = |device: &Device| of_target(device) && device.has(&device.resources(design));
     let larger = match Device::all().find(fits) {
         Some(device) => format!("`{}` has enough", device.name),
         None => "no device that is known here has enough".to_owned(),

@@ -82,6 +82,10 @@ pub enum ToolError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     DoesNotFit(#[from] DoesNotFit),
+    /// A core is made for a target that its device does not belong to.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    OtherTarget(#[from] OtherTarget),
     /// A core lacks what the scene needs.
     #[error(transparent)]
     #[diagnostic(transparent)]
@@ -229,6 +233,22 @@ pub struct DoesNotFit {
     pub taken: String,
     /// The name of a larger device that has enough, if one is known.
     pub larger: String,
+}
+
+/// A core is made for a target that its device does not belong to.
+#[derive(Debug, Error, Diagnostic)]
+#[error("`{device}` is a device of the target `{own}`, and the core is for `{target}`")]
+#[diagnostic(
+    code(specula::device::target),
+    help("leave `--target` out, or name a device of `{target}`")
+)]
+pub struct OtherTarget {
+    /// Name of the device.
+    pub device: String,
+    /// Its target.
+    pub own: String,
+    /// The target that the core is made for.
+    pub target: String,
 }
 
 /// A core lacks something that the scene it is to shade needs.

@@ -7,8 +7,9 @@ use specula_experiments::formats::{DefaultCore, NotProven};
 use specula_scene::LoadedScene;
 use specula_spec::{CoreSpec, FittedCore, SpecFile};
 
-use crate::arguments::{CoreArguments, NameArguments, PictureArguments, SceneArguments};
-use crate::device::DeviceArguments;
+use crate::arguments::{
+    CoreArguments, NameArguments, PART, PictureArguments, SceneArguments, TargetArguments,
+};
 use crate::error::{Refused, ToolError};
 use crate::verilog::Origin;
 
@@ -30,12 +31,11 @@ impl Job {
     pub fn of_scene(
         scene: &SceneArguments,
         core: &CoreArguments,
-        device: &DeviceArguments,
         name: &NameArguments,
     ) -> Result<Job, ToolError> {
         let loaded = scene.load()?;
-        let DefaultCore { spec, not_faithful } = core.core(&loaded, device)?;
-        let origin = Origin::of_scene(scene, core, device, &spec).with_name(name);
+        let DefaultCore { spec, not_faithful } = core.core(&loaded)?;
+        let origin = Origin::of_scene(scene, core, &spec).with_name(name);
         let mut file = SpecFile { name: loaded.name.clone(), spec };
         name.rename(&mut file)?;
         Ok(Job { file, scene: loaded, origin, not_faithful })
@@ -87,7 +87,7 @@ fn made_before(path: &Path, name: &NameArguments) -> Result<(SpecFile, Origin), 
 
 /// The arguments that name a core for a scene, or one that was made before.
 #[derive(Clone, Debug, Args)]
-#[command(mut_arg("clock", |clock| clock.requires("target")))]
+#[command(mut_arg("clock", |clock| clock.requires(PART)))]
 pub struct SceneOrSpec {
     /// A built-in scene (see `specula scenes`), a scene file (.toml), or a mesh (.obj, .ply, .stl,
     /// .glb)
@@ -104,17 +104,13 @@ pub struct SceneOrSpec {
 
 impl SceneOrSpec {
     /// The core and its origin.
-    pub fn file(
-        &self,
-        device: &DeviceArguments,
-        name: &NameArguments,
-    ) -> Result<(SpecFile, Origin), ToolError> {
+    pub fn file(&self, name: &NameArguments) -> Result<(SpecFile, Origin), ToolError> {
         match &self.spec {
             Some(path) => {
                 let (file, origin) = made_before(path, name)?;
                 let made_for = &self.wanted.made_for;
                 let spec = made_for.made_for(file.spec)?;
-                let origin = match made_for.target {
+                let origin = match made_for.target()? {
                     Some(_) => origin.with_target(&spec),
                     None => origin,
                 };
@@ -122,7 +118,7 @@ impl SceneOrSpec {
             }
             None => {
                 let scene = self.scene();
-                let job = Job::of_scene(&scene, &self.wanted, device, name)?;
+                let job = Job::of_scene(&scene, &self.wanted, name)?;
                 if let Some(reason) = &job.not_faithful {
                     // A closed standard error is no reason to stop.
                     let _ = writeln!(io::stderr(), "formats: recommended ones: {reason}");
@@ -137,16 +133,11 @@ impl SceneOrSpec {
     /// # Errors
     /// [`ToolError::NoScene`] if the core is a file and no scene is named, and
     /// [`ToolError::Refused`] if the core cannot shade the scene.
-    pub fn job(
-        &self,
-        device: &DeviceArguments,
-        named: Option<&str>,
-        name: &NameArguments,
-    ) -> Result<Job, ToolError> {
+    pub fn job(&self, named: Option<&str>, name: &NameArguments) -> Result<Job, ToolError> {
         let Some(named) = named else {
             return match &self.spec {
                 Some(_) => Err(ToolError::NoScene),
-                None => Job::of_scene(&self.scene(), &self.wanted, device, name),
+                None => Job::of_scene(&self.scene(), &self.wanted, name),
             };
         };
         let scene =
@@ -155,7 +146,12 @@ impl SceneOrSpec {
             Some(path) => path,
             None => Path::new(self.scene.as_deref().unwrap_or_default()),
         };
-        Job::shading(self.file(device, name)?, &scene, core)
+        Job::shading(self.file(name)?, &scene, core)
+    }
+
+    /// The target and the device that the core is made for.
+    pub fn made_for(&self) -> &TargetArguments {
+        &self.wanted.made_for
     }
 
     /// The scene that the core is made for.

@@ -8,7 +8,6 @@ use specula_scene::builtin_names;
 use specula_spec::{CoreSpec, SpecFile, TargetClock};
 
 use crate::arguments::{ANY_DEVICE, CoreArguments, NameArguments, SceneArguments};
-use crate::device::DeviceArguments;
 use crate::made_for::MadeFor;
 use crate::ports::{Port, inputs};
 use crate::table;
@@ -35,12 +34,7 @@ pub struct Origin {
 impl Origin {
     /// The origin of a core `spec` that is made for a scene with the arguments `core`. The device
     /// matters where formats are the cheapest on it.
-    pub fn of_scene(
-        scene: &SceneArguments,
-        core: &CoreArguments,
-        device: &DeviceArguments,
-        spec: &CoreSpec,
-    ) -> Origin {
+    pub fn of_scene(scene: &SceneArguments, core: &CoreArguments, spec: &CoreSpec) -> Origin {
         let size = scene
             .picture
             .size
@@ -53,7 +47,8 @@ impl Origin {
             .map(|wish| format!(" --specialise {}", wish.name()))
             .unwrap_or_default();
         let formats = core.formats_in_words();
-        let device = device
+        let device = core
+            .made_for
             .device
             .as_ref()
             .filter(|_| core.is_searched_by_proof())
@@ -252,8 +247,7 @@ mod tests {
             SceneArguments { scene: scene.to_owned(), picture: PictureArguments { size } };
         let scene = specula_scene::load("icosahedron", Some((8, 6))).expect("it is built in");
         let spec = scene.core_spec(None).expect("it has a core");
-        let device = DeviceArguments::default();
-        Origin::of_scene(&arguments, &CoreArguments::default(), &device, &spec)
+        Origin::of_scene(&arguments, &CoreArguments::default(), &spec)
     }
 
     #[test]

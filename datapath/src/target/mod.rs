@@ -4,9 +4,11 @@
 //! are nanoseconds.
 mod delay;
 mod device;
+mod logic;
 
 pub use delay::Shape;
 pub use device::Device;
+pub use logic::{Carry, Logic, LogicCell};
 use serde::Deserialize;
 
 use crate::design::Primitives;
@@ -26,6 +28,9 @@ pub struct Target {
     /// The cells with which a carry chain clears a summand without a look-up table before it, if
     /// there are any.
     pub gated_sum: Option<SumCells>,
+    /// How its look-up tables are counted.
+    #[serde(default)]
+    pub logic: Logic,
     /// Its multiplier blocks, if it has any.
     pub multiplier: Option<Multiplier>,
     /// Its block RAM, if it has any.

@@ -15,7 +15,14 @@ pub struct Counted {
     pub flip_flops: u64,
     /// Multiplier blocks.
     pub blocks: u64,
+    /// Memories of four bits that delay lines take.
+    pub memories: u64,
+    /// Counters of their addresses.
+    pub counters: u64,
 }
+
+/// Bits of a word of the memory that look-up tables make.
+const MEMORY_BITS: u64 = 4;
 
 impl Counted {
     /// The cells of a core whose long delays are memories. Counters of memories that are equally
@@ -24,6 +31,7 @@ impl Counted {
         let mut lengths = BTreeSet::new();
         let mut counted = Counted::default();
         counted.add(core, &mut lengths);
+        counted.counters = lengths.len() as u64;
         let counters = lengths.into_iter().map(|clocks: usize| u64::from((clocks - 2).ilog2() + 1));
         counted.flip_flops += counters.sum::<u64>();
         counted
@@ -36,6 +44,7 @@ impl Counted {
         for line in &delays.lines {
             if line.storage(LongDelays::Memories) == Storage::Memory {
                 lengths.insert(line.clocks());
+                self.memories += width(line.input).div_ceil(MEMORY_BITS);
                 in_memory.extend(line.stages[..line.clocks() - 1].iter().copied());
             }
         }

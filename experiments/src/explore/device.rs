@@ -1,11 +1,11 @@
 //! The FPGAs that are known, and whether a core fits them.
 use serde::Serialize;
-use specula_datapath::target::{self, Target};
-
-use crate::cost::Cost;
+use specula_datapath::Design;
+use specula_datapath::resources::Resources;
+use specula_datapath::target::{self, LogicCell, Target};
 
 /// An FPGA, as its target's table has it.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Device {
     /// Its name on the command line.
     pub name: String,
@@ -21,6 +21,22 @@ pub struct Device {
     pub luts: u64,
     /// Number of block RAMs.
     pub memories: u64,
+    /// The share of its look-up tables and flip-flops that a core may take and still be placed.
+    pub usable: f64,
+    /// What a look-up table and a flip-flop are to each other.
+    #[serde(skip)]
+    pub cell: LogicCell,
+}
+
+/// What a core takes of one kind of cells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Share {
+    /// The cells.
+    pub cells: &'static str,
+    /// How many of them it takes.
+    pub taken: u64,
+    /// How many the device has for it.
+    pub available: u64,
 }
 
 impl Device {
@@ -28,6 +44,7 @@ impl Device {
     pub fn all() -> impl Iterator<Item = Device> {
         Target::families().flat_map(|family| {
             let (target, block) = (family.name, family.multiplier.map(|block| block.widths));
+            let logic = family.logic;
             let device = move |device: target::Device| Device {
                 name: device.name,
                 target: target.clone(),
@@ -36,21 +53,40 @@ impl Device {
                 registers: device.flip_flops,
                 luts: device.luts,
                 memories: device.memories,
+                usable: logic.usable,
+                cell: logic.cell,
             };
             family.devices.into_iter().map(device)
         })
     }
-}
 
-impl Cost {
-    /// Whether a device has enough multiplier blocks, registers and look-up tables. Of the last,
-    /// only those of adders count, and of products where the device has no blocks for them: the
-    /// fewest that the core can take.
-    pub fn fits(&self, device: &Device) -> bool {
-        let of_products = if device.block.is_some() { 0 } else { self.multiplier_bits };
-        self.blocks.unwrap_or(0) <= device.blocks
-            && self.register_bits <= device.registers
-            && self.adder_bits + of_products <= device.luts
+    /// What a design takes of the device, or of a larger one of its target.
+    pub fn resources(&self, design: &Design) -> Resources {
+        // Each device is of a target that has a table.
+        Target::named(&self.target)
+            .map_or(Resources::default(), |target| Resources::of(design, &target))
+    }
+
+    /// The shares of the device that such resources are.
+    pub fn shares(&self, resources: &Resources) -> impl Iterator<Item = Share> + use<> {
+        let usable = |cells: u64| (cells as f64 * self.usable) as u64;
+        let share = |cells, taken, available| Share { cells, taken, available };
+        let [luts, registers] = [self.luts, self.registers].map(usable);
+        let logic = match self.cell {
+            LogicCell::Paired => vec![share("usable logic cells", resources.logic_cells, luts)],
+            LogicCell::Apart => vec![
+                share("usable look-up tables", resources.luts, luts),
+                share("usable flip-flops", resources.flip_flops, registers),
+            ],
+        };
+        let blocks = share("multiplier blocks", resources.blocks, self.blocks);
+        let memories = share("block RAMs", resources.memories, self.memories);
+        logic.into_iter().chain([blocks, memories])
+    }
+
+    /// Whether the device has such resources.
+    pub fn has(&self, resources: &Resources) -> bool {
+        self.shares(resources).all(|share| share.taken <= share.available)
     }
 }
 

@@ -2,9 +2,8 @@
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use specula_datapath::design::Factors;
+use specula_datapath::resources::blocks_for;
 use specula_datapath::target::{Multiplier, Target};
-
-use crate::cost::blocks_for;
 
 /// How a core's products are made.
 #[derive(Clone, Debug)]

@@ -5,6 +5,7 @@ use specula_scene::LoadedScene;
 use specula_spec::CoreSpec;
 
 use super::cycles::FrameCycles;
+use super::predicted::predicted_mhz;
 use super::surface;
 use specula_testbench::{Bench, BenchError, EngineKind, ErrorFigures, Errors};
 
@@ -23,6 +24,8 @@ pub struct Measured {
     pub bound_lsb: Option<f64>,
     /// Clocks for the frame.
     pub cycles: FrameCycles,
+    /// The clock, in MHz, that the target's delays predict; `None` of a core for any device.
+    pub predicted_mhz: Option<f64>,
     /// The size of the core.
     pub size: Size,
 }
@@ -42,6 +45,7 @@ impl Measured {
             surface: surface::errors(scene, &outcome.simulated),
             bound_lsb: bound.is_finite().then_some(bound),
             cycles: FrameCycles::new(&bench.design, &scene.frame),
+            predicted_mhz: predicted_mhz(spec, &bench.design),
             size: bench.design.size(),
         })
     }

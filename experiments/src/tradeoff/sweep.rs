@@ -56,9 +56,14 @@ pub enum SweepError {
     Journal(#[from] JournalError),
 }
 
-/// The cores of configurations for a scene. Those of a method that follow each other share the
-/// search for its default formats.
-pub fn plan(scene: &LoadedScene, configurations: &[Configuration]) -> Vec<Planned> {
+/// The cores of configurations for a scene, each as `made` makes it for a target; it says why where
+/// it cannot. Configurations of a method that follow each other share the search for its default
+/// formats.
+pub fn plan(
+    scene: &LoadedScene,
+    configurations: &[Configuration],
+    made: &(dyn Fn(CoreSpec) -> Result<CoreSpec, String> + Sync),
+) -> Vec<Planned> {
     let methods: Vec<&[Configuration]> =
         configurations.chunk_by(|a, b| a.method == b.method).collect();
     let planned = |of_method: &[Configuration]| {
@@ -66,7 +71,8 @@ pub fn plan(scene: &LoadedScene, configurations: &[Configuration]) -> Vec<Planne
         let default = default_spec(of_method[0].method, scene);
         let planned = |&configuration: &Configuration| {
             let default = default.as_ref().map_err(Clone::clone);
-            Planned { spec: default.and_then(|of| configuration.spec(of, scene)), configuration }
+            let spec = default.and_then(|of| configuration.spec(of, scene)).and_then(made);
+            Planned { spec, configuration }
         };
         of_method.iter().map(planned).collect::<Vec<Planned>>()
     };

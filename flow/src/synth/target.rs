@@ -32,7 +32,7 @@ impl SynthTarget {
         name: "ecp5",
         device: "LFE5U-85F-6 CABGA756",
         synthesis: "synth_ecp5",
-        luts: &[("LUT4", 1), ("CCU2C", 2)],
+        luts: &[("LUT4", 1), ("CCU2C", 2), ("TRELLIS_DPR16X4", 6)],
         flip_flops: &[("TRELLIS_FF", 1)],
         blocks: &[("MULT18X18D", 1)],
         memories: &[("DP16KD", 1)],
@@ -102,6 +102,14 @@ impl SynthTarget {
     pub const ALL: [SynthTarget; 3] =
         [SynthTarget::ECP5, SynthTarget::ICE40_HX, SynthTarget::ICE40_UP];
 
+    /// The target on one of its devices, by the name that a target's table gives the device; none if
+    /// nextpnr cannot place cores on it.
+    pub fn of_device(name: &str) -> Option<SynthTarget> {
+        let (_, of_target, device, arguments) =
+            DEVICES.iter().find(|(device, ..)| *device == name)?;
+        Some(SynthTarget { device, arguments, ..*of_target })
+    }
+
     /// The file, in Yosys's own folder, that has models of the family's cells.
     pub(super) fn models(&self) -> &'static str {
         match self.family {
@@ -133,6 +141,37 @@ impl SynthTarget {
         };
         tool(name, system).or_else(&[tool(name, python)])
     }
+}
+
+/// Devices by their names in the tables of targets: the target, what the maker calls it, and
+/// nextpnr's arguments.
+const DEVICES: [(&str, SynthTarget, &str, &[&str]); 8] = [
+    ("ecp5-12", SynthTarget::ECP5, "LFE5U-12F-6 CABGA381", &ecp5("--12k")),
+    ("ecp5-25", SynthTarget::ECP5, "LFE5U-25F-6 CABGA381", &ecp5("--25k")),
+    ("ecp5-45", SynthTarget::ECP5, "LFE5U-45F-6 CABGA381", &ecp5("--45k")),
+    ("ecp5-85", SynthTarget::ECP5, "LFE5U-85F-6 CABGA381", &ecp5("--85k")),
+    ("ice40hx1k", SynthTarget::ICE40_HX, "iCE40HX1K TQ144", &ice40("--hx1k", "tq144")),
+    ("ice40hx4k", SynthTarget::ICE40_HX, "iCE40HX4K TQ144", &ice40("--hx4k", "tq144")),
+    ("ice40hx8k", SynthTarget::ICE40_HX, "iCE40HX8K CT256", &ice40("--hx8k", "ct256")),
+    ("ice40up5k", SynthTarget::ICE40_UP, "iCE40UP5K SG48", &ice40("--up5k", "sg48")),
+];
+
+/// Arguments of nextpnr for an ECP5 of the fastest speed grade, in the package that all have.
+const fn ecp5(size: &'static str) -> [&'static str; 7] {
+    [
+        size,
+        "--speed",
+        "6",
+        "--package",
+        "CABGA381",
+        "--lpf-allow-unconstrained",
+        "--timing-allow-fail",
+    ]
+}
+
+/// Arguments of nextpnr for an iCE40.
+const fn ice40(size: &'static str, package: &'static str) -> [&'static str; 4] {
+    [size, "--package", package, "--timing-allow-fail"]
 }
 
 /// A family of devices, for each of which nextpnr has a program.

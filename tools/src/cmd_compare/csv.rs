@@ -8,7 +8,7 @@ use super::result::{Compared, Core};
 /// A column: its name, and the function that gives its fields.
 type Column<T> = (&'static str, fn(&T) -> String);
 
-const CORES: [Column<Core>; 30] = [
+const CORES: [Column<Core>; 31] = [
     ("method", |core| core.configuration.method.name().to_owned()),
     ("formats", |core| core.configuration.formats.to_string()),
     ("added_fraction_bits", |core| core.configuration.formats.added().to_string()),
@@ -33,6 +33,7 @@ const CORES: [Column<Core>; 30] = [
     ("set_up_clocks_per_span", |core| core.measured().cycles.set_up.to_string()),
     ("frame_clocks", |core| core.measured().cycles.shading.to_string()),
     ("frame_clocks_with_set_up", |core| core.measured().cycles.with_set_up.to_string()),
+    ("clock_mhz", |core| core.clock.mhz.to_string()),
     ("ns_per_pixel", |core| core.pixel_ns().to_string()),
     ("frames_per_second", |core| core.frames_per_second().to_string()),
     ("multipliers", |core| core.measured().size.multipliers.to_string()),

@@ -19,8 +19,9 @@ struct Report<'a> {
     width: u32,
     height: u32,
     agrees: bool,
-    clock_mhz: f64,
-    /// Whether the clock is assumed rather than given by the user.
+    /// The clock of all cores; `None` where each has the one that its target's delays predict.
+    clock_mhz: Option<f64>,
+    /// Whether that clock is assumed rather than given by the user.
     clock_is_assumed: bool,
     /// Bits of a span's set-up that the host transfers in a clock.
     set_up_word_bits: u64,
@@ -49,6 +50,8 @@ struct CoreFacts<'a> {
     full_adders: u64,
     cycles_per_pixel: f64,
     cycles_per_pixel_with_set_up: f64,
+    /// The clock at which the core is counted to run, in MHz.
+    clock_mhz: f64,
     ns_per_pixel: f64,
     frames_per_second: f64,
     /// The software loop that does the same.
@@ -59,6 +62,7 @@ struct CoreFacts<'a> {
 /// The report as JSON text.
 pub fn text(compared: &Compared, files: &[String]) -> serde_json::Result<String> {
     let (small, quick) = (compared.on_front(size), compared.on_front(Core::pixel_ns));
+    let clock = compared.clocks.of_all();
     let report = Report {
         program: PROGRAM,
         version: env!("CARGO_PKG_VERSION"),
@@ -66,8 +70,8 @@ pub fn text(compared: &Compared, files: &[String]) -> serde_json::Result<String>
         width: compared.size.0,
         height: compared.size.1,
         agrees: compared.agrees(),
-        clock_mhz: compared.clock.mhz,
-        clock_is_assumed: compared.clock.source == ClockSource::Assumed,
+        clock_mhz: clock.map(|clock| clock.mhz),
+        clock_is_assumed: clock.is_some_and(|clock| clock.source == ClockSource::Assumed),
         set_up_word_bits: WORD_BITS,
         cores: compared
             .cores
@@ -102,6 +106,7 @@ fn of_core<'a>(
         full_adders: measured.full_adders(),
         cycles_per_pixel: measured.cycles.per_pixel(),
         cycles_per_pixel_with_set_up: measured.cycles.per_pixel_with_set_up(),
+        clock_mhz: core.clock.mhz,
         ns_per_pixel: core.pixel_ns(),
         frames_per_second: core.frames_per_second(),
         software: compared.software_of(core).map(|software| software.name),

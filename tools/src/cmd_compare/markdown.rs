@@ -92,7 +92,7 @@ fn run_times(compared: &Compared) -> String {
     let processor = format!(" Loops ran on one thread of: {}.", compared.machine.cpu);
     format!(
         "## Run time\n\nAt {}; set-up is counted in ns a pixel and in frames.{processor}\n\n{SET_UP}\n{}",
-        compared.clock.in_words(),
+        compared.clocks.in_words(),
         table(RUN_TIME_TITLES, &tables::run_times(compared))
     )
 }

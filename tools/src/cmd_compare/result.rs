@@ -7,7 +7,9 @@ use specula_experiments::tradeoff::{
 };
 use specula_testbench::ErrorFigures;
 
+use crate::arguments::{ANY_DEVICE, TargetArguments};
 use crate::clock::Clock;
+use crate::error::OtherTarget;
 use crate::plot::PlotPoint;
 
 /// The result of a comparison.
@@ -16,8 +18,8 @@ pub struct Compared {
     pub scene: String,
     /// Width and height of the picture.
     pub size: (u32, u32),
-    /// The clock at which the cores are assumed to run.
-    pub clock: Clock,
+    /// The clocks at which the cores are counted to run.
+    pub clocks: Clocks,
     /// The cores that were measured.
     pub cores: Vec<Core>,
     /// The configurations that have no core, each with the reason.
@@ -36,16 +38,58 @@ pub struct Core {
     pub configuration: Configuration,
     /// Its spec and figures.
     pub measurement: Measurement,
-    clock: Clock,
+    /// The clock at which it is counted to run.
+    pub clock: Clock,
+}
+
+/// The clocks at which cores are counted to run.
+pub enum Clocks {
+    /// One for all of them.
+    All(Clock),
+    /// Each has the one that the delays of this target predict for it.
+    Predicted(String),
+}
+
+impl Clocks {
+    /// Those of cores that are made for what is asked for.
+    ///
+    /// # Errors
+    /// [`OtherTarget`] where target and device do not belong together.
+    pub fn of(made_for: &TargetArguments) -> Result<Clocks, OtherTarget> {
+        let target = made_for.target()?.filter(|target| *target != ANY_DEVICE);
+        let all = || Clocks::All(Clock::of(None, made_for.given_for_any_device()));
+        Ok(target.map_or_else(all, |target| Clocks::Predicted(target.to_owned())))
+    }
+
+    /// The clocks as text.
+    pub fn in_words(&self) -> String {
+        match self {
+            Clocks::All(clock) => clock.in_words(),
+            Clocks::Predicted(target) => {
+                format!("the clock that the delays of {target} predict for each core")
+            }
+        }
+    }
+
+    /// The clock of all of them, if it is one.
+    pub fn of_all(&self) -> Option<Clock> {
+        match self {
+            Clocks::All(clock) => Some(*clock),
+            Clocks::Predicted(_) => None,
+        }
+    }
 }
 
 /// Separates the cores that were measured from configurations without a core, whose reasons are
-/// given as text.
-pub fn sorted(rows: Vec<SweepResult>, clock: Clock) -> (Vec<Core>, Vec<String>) {
+/// given as text. `given` is a clock in MHz for cores that are made for no target.
+pub fn sorted(rows: Vec<SweepResult>, given: Option<f64>) -> (Vec<Core>, Vec<String>) {
     let (mut cores, mut refusals) = (vec![], vec![]);
     for SweepResult { configuration, result } in rows {
         match result {
-            Ok(measurement) => cores.push(Core { configuration, measurement, clock }),
+            Ok(measurement) => {
+                let clock = Clock::of(measurement.measured.predicted_mhz, given);
+                cores.push(Core { configuration, measurement, clock });
+            }
             Err(reason) => refusals.push(format!("{configuration}: {reason}")),
         }
     }

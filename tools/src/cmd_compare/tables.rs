@@ -56,7 +56,7 @@ pub fn surfaces(compared: &Compared) -> Vec<[String; 4]> {
 }
 
 /// Titles of [`run_times`].
-pub const RUN_TIME_TITLES: [&str; 11] = [
+pub const RUN_TIME_TITLES: [&str; 12] = [
     "core",
     "latency",
     "set-up clocks a span",
@@ -64,6 +64,7 @@ pub const RUN_TIME_TITLES: [&str; 11] = [
     "with set-up",
     "clocks a frame",
     "with set-up",
+    "MHz",
     "ns a pixel",
     "frames/s",
     "loop in software",
@@ -71,7 +72,7 @@ pub const RUN_TIME_TITLES: [&str; 11] = [
 ];
 
 /// Rows of run times in hardware and of the same work in software.
-pub fn run_times(compared: &Compared) -> Vec<[String; 11]> {
+pub fn run_times(compared: &Compared) -> Vec<[String; 12]> {
     let row = |core: &Core| {
         let (cycles, software) = (&core.measured().cycles, compared.software_of(core));
         [
@@ -82,6 +83,7 @@ pub fn run_times(compared: &Compared) -> Vec<[String; 11]> {
             format!("{:.4}", cycles.per_pixel_with_set_up()),
             cycles.shading.to_string(),
             cycles.with_set_up.to_string(),
+            format!("{:.0}", core.clock.mhz),
             format!("{:.2}", core.pixel_ns()),
             format!("{:.0}", core.frames_per_second()),
             software.map_or(String::new(), |software| software.name.to_owned()),
@@ -154,11 +156,12 @@ pub fn software(compared: &Compared) -> Vec<[String; 8]> {
 }
 
 /// Titles of [`summary`].
-pub const SUMMARY_TITLES: [&str; 11] = [
+pub const SUMMARY_TITLES: [&str; 12] = [
     "core",
     "front",
     "max LSB",
     "rms LSB",
+    "MHz",
     "ns a pixel",
     "frames a second",
     "latency",
@@ -170,7 +173,7 @@ pub const SUMMARY_TITLES: [&str; 11] = [
 
 /// Rows of the most important figures, one for each core; `s` and `t` mark cores on the fronts of
 /// size and of time.
-pub fn summary(compared: &Compared) -> Vec<[String; 11]> {
+pub fn summary(compared: &Compared) -> Vec<[String; 12]> {
     let (small, quick) = (compared.on_front(size), compared.on_front(Core::pixel_ns));
     let row = |(core, (small, quick)): (&Core, (&bool, &bool))| {
         let (total, made_of) = (&core.measured().errors.total, &core.measured().size);
@@ -179,6 +182,7 @@ pub fn summary(compared: &Compared) -> Vec<[String; 11]> {
             format!("{}{}", if *small { "s" } else { "" }, if *quick { "t" } else { "" }),
             lsb(total.max_lsb),
             lsb(total.rms_lsb),
+            format!("{:.0}", core.clock.mhz),
             format!("{:.2}", core.pixel_ns()),
             format!("{:.0}", core.frames_per_second()),
             core.measured().cycles.latency.to_string(),

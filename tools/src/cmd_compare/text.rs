@@ -17,7 +17,7 @@ pub fn text(compared: &Compared, folder: &Path) -> String {
         compared.size.0,
         compared.size.1,
         compared.scene,
-        compared.clock.in_words()
+        compared.clocks.in_words()
     );
     let mut text = format!("{}\n\n{cores}", table::paragraphs(&heading));
     text.extend(compared.refusals.iter().map(|refusal| format!("not built: {refusal}\n")));

@@ -62,6 +62,34 @@ fn it_measures_errors_run_times_and_sizes() {
     assert_eq!(report["interpolation"]["rms_lsb"].as_f64().map(|rms| rms > 0.0), Some(true));
 }
 
+/// A loop that takes one clock limits the clock of the whole core: Newton's root of the pixel before
+/// is what the next pixel begins with.
+#[test]
+fn a_loop_of_one_clock_is_slow() {
+    let place = Place::new();
+    let scene = |root: &str| {
+        format!(
+            "[[object]]\nprimitive = \"icosahedron\"\n[core]\nmethod = \"direct\"\n[core.direct]\nroot = \"{root}\"\n"
+        )
+    };
+    let time = |root: &str| {
+        place.write(&format!("{root}.toml"), scene(root));
+        let file = format!("{root}.toml");
+        let small = ["compare", &file, "--size", "32x24", "--methods", "direct"];
+        let more = ["--formats", "default", "--target", "ecp5", "-o", root];
+        let said = place.succeeds(&[&small[..], &more].concat());
+        assert!(said.contains("the delays of ecp5 predict"), "{said}");
+        let core = place.report(root)["cores"][0].clone();
+        [&core["clock_mhz"], &core["ns_per_pixel"], &core["cycles_per_pixel_with_set_up"]]
+            .map(|number| number.as_f64().expect("a number"))
+    };
+    let [fast, slow] = ["exact", "newton"].map(time);
+    for [mhz, nanoseconds, clocks] in [fast, slow] {
+        assert!((nanoseconds - 1000.0 * clocks / mhz).abs() < 1e-9 * nanoseconds);
+    }
+    assert!(fast[0] > 2.0 * slow[0] && slow[1] > 2.0 * fast[1], "{fast:?} {slow:?}");
+}
+
 /// All but what is measured of the machine.
 #[test]
 fn the_same_comparison_gives_the_same_bytes() {

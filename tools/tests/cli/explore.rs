@@ -27,6 +27,10 @@ fn fronts_are_for_programs_too() {
     let report: Value = serde_json::from_str(&said).expect("it prints JSON");
     let best = report["best"].as_u64().expect("there is one") as usize;
     assert_eq!(report["device"]["name"], "ecp5-25");
-    assert!(report["front"][best]["cost"]["blocks"].as_u64() > Some(0), "{said}");
+    let best = &report["front"][best];
+    assert!(best["on_target"]["resources"]["blocks"].as_u64() > Some(0), "{said}");
+    assert_eq!(best["spec"]["target"]["name"], "ecp5");
+    let predicted = best["on_target"]["predicted_mhz"].as_f64();
+    assert!(predicted >= best["spec"]["target"]["clock_mhz"].as_f64(), "{said}");
     assert_eq!(place.succeeds(&[&SMALL[..], &["--json", "--device", "ecp5-25"]].concat()), said);
 }

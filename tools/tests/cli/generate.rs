@@ -31,15 +31,15 @@ fn headers_say_what_the_core_is() {
     }
 }
 
-/// The arguments that chose the formats, and the device whose blocks they are cheapest on.
+/// The arguments that chose the formats, the device whose blocks they are cheapest on, and its target.
 #[test]
 fn headers_have_the_command_that_makes_the_same_core() {
     let place = Place::new();
     let teapot = ["generate", "teapot", "--size", "64x48", "--method", "hybrid"];
-    let device = ["--device", "ice40up5k"];
+    let device = ["--device", "ecp5-25"];
     for (asked, recorded) in [
         (vec!["--bound", "0.75lsb"], " --bound 0.75lsb"),
-        ([&["--bound", "1lsb"], &device[..]].concat(), " --bound 1lsb --device ice40up5k"),
+        ([&["--bound", "1lsb"], &device[..]].concat(), " --bound 1lsb --device ecp5-25"),
         (vec!["--max-error", "25lsb"], " --max-error 25lsb"),
         (vec!["--max-quantisation", "1.5lsb"], " --max-quantisation 1.5lsb"),
         (device.to_vec(), " --device ice40up5k"),
@@ -47,8 +47,12 @@ fn headers_have_the_command_that_makes_the_same_core() {
     ] {
         let verilog = place.succeeds(&[&teapot[..], &asked, &["-o", "-"]].concat());
         let command = format!("specula {}{recorded}", teapot.join(" "));
-        let found = verilog.lines().find_map(|line| line.strip_prefix("//   specula"));
-        assert_eq!(found.map(|rest| format!("specula{rest}")), Some(command.clone()));
+        let found = verilog.lines().find_map(|line| line.strip_prefix("//   "));
+        let found = found.and_then(|found| found.strip_prefix(&command)).expect("the command");
+        let on_target = asked.contains(&"--device");
+        assert_eq!(found.starts_with(" --target ecp5 --clock "), on_target, "{found}");
+        assert!(on_target || found.is_empty(), "{found}");
+        let command = command + found;
         let words: Vec<&str> = command.split(' ').skip(1).chain(["-o", "-"]).collect();
         assert!(place.succeeds(&words) == verilog, "{command}");
     }
@@ -192,6 +196,8 @@ fn a_clock_is_asked_for_on_a_target() {
     };
     assert!(refused(&["--clock", "100"]).contains("--target <TARGET>"));
     assert!(refused(&["--target", "ecp6"]).contains("ecp5"));
+    let other = refused(&["--target", "xilinx7", "--device", "ecp5-25"]);
+    assert!(other.contains("`ecp5-25` is a device of the target `ecp5`"), "{other}");
     assert!(refused(&["--target", "ecp5", "--clock", "0"]).contains("from 1 to 1000 MHz"));
     let run = place.specula(&["run", "torus", "--clock", "max"]);
     assert!(run.stderr.contains("--target <TARGET>"), "{}", run.stderr);
