@@ -2,8 +2,8 @@
 //! top, host code, vectors and their documentation.
 //!
 //! A packet is a string of bits, bit 0 first: a header, the position of the first pixel where
-//! pixels are to have one, and the inputs that hold for a span, in port order, each exactly as wide
-//! as its port, in two's complement where that is signed, without gaps. It is cut into words, the
+//! pixels are to have one, and the inputs that hold for a span, in port order, each exactly the bits of
+//! its format, in two's complement where that is signed, without gaps. It is cut into words, the
 //! lowest bits first; what is left of the last word is 0. Inputs that hold for a frame are no part
 //! of it: they are registers.
 use specula_datapath::design::{Range, format_of};

@@ -98,7 +98,7 @@ fn every_field_is_found_again() {
                         part.name
                     );
                 }
-                let used = words.last().unwrap() >> (layout.bits - 1) % word.bits();
+                let used = words.last().unwrap() >> ((layout.bits - 1) % word.bits());
                 assert!(used < 2, "what is behind the last field is 0");
             }
         }

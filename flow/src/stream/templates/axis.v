@@ -361,7 +361,8 @@ module @NAME@_pixels #(
   assign m_axis_tlast = sent_tag[0];
 endmodule
 
-// @NAME@_memory: two halves, each with a register behind it, and a register behind both.
+// @NAME@_memory: banks of up to 32 places, each with a register behind it, and a register behind all:
+// paths are as short in a large memory as in a small one.
 module @NAME@_memory #(
     parameter WIDTH = 24,
     parameter LOG2_DEPTH = @LOG2_DEPTH@
@@ -370,30 +371,42 @@ module @NAME@_memory #(
     input wire write,
     input wire [LOG2_DEPTH-1:0] write_place,
     input wire [WIDTH-1:0] write_data,
-    input wire read,  // into the registers of the halves
+    input wire read,  // into the registers of the banks
     input wire [LOG2_DEPTH-1:0] read_place,
     input wire move,  // into the last register
     output reg [WIDTH-1:0] data
 );
-  @RAM_STYLE@reg [WIDTH-1:0] low[0:(1<<(LOG2_DEPTH-1))-1];
-  @RAM_STYLE@reg [WIDTH-1:0] high[0:(1<<(LOG2_DEPTH-1))-1];
-  reg [WIDTH-1:0] read_low;
-  reg [WIDTH-1:0] read_high;
-  reg is_high;
+  localparam LOG2_BANK = LOG2_DEPTH > 5 ? 5 : LOG2_DEPTH - 1;
+  localparam LOG2_BANKS = LOG2_DEPTH - LOG2_BANK;
+  localparam BANKS = 1 << LOG2_BANKS;
 
-  always @(posedge clock) begin
-    if (write & ~write_place[LOG2_DEPTH-1]) low[write_place[LOG2_DEPTH-2:0]] <= write_data;
-    if (read) read_low <= low[read_place[LOG2_DEPTH-2:0]];
+  wire [WIDTH*BANKS-1:0] words;  // 0 of banks other than that which has been read
+  reg [WIDTH-1:0] chosen;
+
+  genvar number;
+  generate
+    for (number = 0; number < BANKS; number = number + 1) begin : banks
+      @RAM_STYLE@reg [WIDTH-1:0] places[0:(1<<LOG2_BANK)-1];
+      reg [WIDTH-1:0] word;
+      reg is_read;
+      wire own = write_place[LOG2_DEPTH-1:LOG2_BANK] == number[LOG2_BANKS-1:0];
+      always @(posedge clock) begin
+        if (write & own) places[write_place[LOG2_BANK-1:0]] <= write_data;
+        if (read) word <= places[read_place[LOG2_BANK-1:0]];
+        if (read) is_read <= read_place[LOG2_DEPTH-1:LOG2_BANK] == number[LOG2_BANKS-1:0];
+      end
+      assign words[WIDTH*number+:WIDTH] = word & {WIDTH{is_read}};
+    end
+  endgenerate
+
+  integer i;
+  always @(*) begin
+    chosen = {WIDTH{1'b0}};
+    for (i = 0; i < BANKS; i = i + 1) chosen = chosen | words[WIDTH*i+:WIDTH];
   end
 
   always @(posedge clock) begin
-    if (write & write_place[LOG2_DEPTH-1]) high[write_place[LOG2_DEPTH-2:0]] <= write_data;
-    if (read) read_high <= high[read_place[LOG2_DEPTH-2:0]];
-  end
-
-  always @(posedge clock) begin
-    if (read) is_high <= read_place[LOG2_DEPTH-1];
-    if (move) data <= is_high ? read_high : read_low;
+    if (move) data <= chosen;
   end
 endmodule
 // verilator lint_on DECLFILENAME
