@@ -115,8 +115,8 @@ pub fn cheapest_formats(
     let mut below = goal;
     let mut at = search.beginning();
     for _ in 0..=MOST_CORRECTIONS {
-        let near = at.take().map(|from| search.cheapest(from, below));
-        let Some(near) = near.filter(|near| near.tried.bound < below) else { break };
+        let near = at.take().and_then(|from| search.meeting(from, below));
+        let Some(near) = near else { break };
         let exact = search.exactly(&near.formats, start)?;
         if exact.tried.bound < goal {
             let Exact { spec, tried } = search.trimmed(exact, goal)?;
@@ -147,8 +147,21 @@ struct Exact {
 }
 
 impl Search<'_> {
+    /// The cheapest formats found whose bound is below the goal; none if there are none. Where
+    /// models lead to none, all formats are made finer together until the goal is met.
+    fn meeting(&self, from: State, below: f64) -> Option<State> {
+        let meets = |state: &State| state.tried.bound < below;
+        let near = self.cheapest(from, below);
+        if meets(&near) {
+            return Some(near);
+        }
+        let mut finer =
+            (1..=MOST_ADDED).filter_map(|added| self.trials.state(self.trials.finer(added)?));
+        Some(self.cheapest(finer.find(meets)?, below))
+    }
+
     /// The cheapest formats found whose bound is below the goal; else those with the smallest bound
-    /// that is found. None if no core can be built.
+    /// that is found.
     fn cheapest(&self, from: State, below: f64) -> State {
         let mut center = from;
         for _ in 0..MOST_MODELS {

@@ -139,9 +139,10 @@ impl Point {
         };
         let (own, other) = (&center.tried, &other.tried);
         let change = other.bound - own.bound;
-        // s (2^-d - 1) for d bits more.
-        let share =
-            if change.abs() < NO_CHANGE { 0.0 } else { change / (f64::from(-bits).exp2() - 1.0) };
+        // s (2^-d - 1) for d bits more. A bound that falls where less is rounded elsewhere, as ranges
+        // move by a unit in the last place, is no share: nothing is won by rounding more.
+        let share = (change / (f64::from(-bits).exp2() - 1.0)).max(0.0);
+        let share = if share < NO_CHANGE { 0.0 } else { share };
         let is_alike = own.extent.factors.len() == other.extent.factors.len();
         let factors = own.extent.factors.iter().zip(&other.extent.factors);
         // Widths are below 2^31.
