@@ -157,7 +157,7 @@ impl TargetArguments {
     fn products(&self) -> Result<Products, OtherTarget> {
         let target = self.target()?.filter(|name| *name != ANY_DEVICE);
         Ok(match (target.and_then(Target::named), &self.device) {
-            (Some(target), _) => Products::Of(target),
+            (Some(target), _) => Products::Of(Box::new(target)),
             (None, Some(device)) => device.block.map_or(Products::Logic, Products::Blocks),
             (None, None) => Products::Blocks(GENERIC_BLOCK),
         })

@@ -1,4 +1,6 @@
 //! The cheapest formats that a model knows of.
+use rayon::prelude::*;
+
 use super::model::{Model, Near};
 
 /// Bits by which the beginnings are finer than the center.
@@ -14,7 +16,8 @@ impl Model<'_> {
     /// goal.
     pub fn cheapest(&self, below: f64) -> Vec<Near> {
         let center = self.center();
-        let ends = BEGINNINGS.map(|bits| self.descended(self.with_all(&center, bits), below));
+        let end = |bits| self.descended(self.with_all(&center, bits), below);
+        let ends: Vec<Near> = BEGINNINGS.into_par_iter().map(end).collect();
         let mut met: Vec<Near> = ends.iter().filter(|end| end.bound < below).cloned().collect();
         met.sort_by(|a, b| (a.cells, &a.added).cmp(&(b.cells, &b.added)));
         met.dedup_by(|a, b| a.added == b.added);

@@ -14,7 +14,7 @@ pub enum Products {
     /// FPGA tools make them of logic.
     Logic,
     /// Specula divides them among what the target has.
-    Of(Target),
+    Of(Box<Target>),
 }
 
 /// Widths of factors, signs included, are below this: no signal is wider than 63 bits, and an

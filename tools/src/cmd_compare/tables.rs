@@ -212,14 +212,16 @@ mod tests {
 
     #[test]
     fn the_summary_fits_into_80_columns() {
-        let numbers =
-            ["st", "255.000", "99.999", "99.99", "999999", "999", "999", "99999", "999", "99999"];
+        let numbers = [
+            "st", "255.000", "99.999", "999", "99.99", "999999", "999", "999", "99999", "999",
+            "99999",
+        ];
         let row = |method: Method| {
             let core = format!("{} default", method.name());
             let cells = std::iter::once(core).chain(numbers.map(str::to_owned));
             cells.collect::<Vec<_>>().try_into().expect("a cell for each title")
         };
-        let rows: Vec<[String; 11]> =
+        let rows: Vec<[String; 12]> =
             [SUMMARY_TITLES.map(str::to_owned)].into_iter().chain(Method::ALL.map(row)).collect();
         let text = table::folded(&rows, 80);
         assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
