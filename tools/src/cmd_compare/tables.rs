@@ -156,7 +156,7 @@ pub fn software(compared: &Compared) -> Vec<[String; 8]> {
 }
 
 /// Titles of [`summary`].
-pub const SUMMARY_TITLES: [&str; 12] = [
+pub const SUMMARY_TITLES: [&str; 11] = [
     "core",
     "front",
     "max LSB",
@@ -167,13 +167,12 @@ pub const SUMMARY_TITLES: [&str; 12] = [
     "latency",
     "mult.",
     "their bits",
-    "adders",
     "reg. bits",
 ];
 
 /// Rows of the most important figures, one for each core; `s` and `t` mark cores on the fronts of
 /// size and of time.
-pub fn summary(compared: &Compared) -> Vec<[String; 12]> {
+pub fn summary(compared: &Compared) -> Vec<[String; 11]> {
     let (small, quick) = (compared.on_front(size), compared.on_front(Core::pixel_ns));
     let row = |(core, (small, quick)): (&Core, (&bool, &bool))| {
         let (total, made_of) = (&core.measured().errors.total, &core.measured().size);
@@ -188,7 +187,6 @@ pub fn summary(compared: &Compared) -> Vec<[String; 12]> {
             core.measured().cycles.latency.to_string(),
             made_of.multipliers.to_string(),
             made_of.multiplier_bits.to_string(),
-            made_of.adders.to_string(),
             made_of.register_bits.to_string(),
         ]
     };
@@ -221,7 +219,7 @@ mod tests {
             let cells = std::iter::once(core).chain(numbers.map(str::to_owned));
             cells.collect::<Vec<_>>().try_into().expect("a cell for each title")
         };
-        let rows: Vec<[String; 12]> =
+        let rows: Vec<[String; 11]> =
             [SUMMARY_TITLES.map(str::to_owned)].into_iter().chain(Method::ALL.map(row)).collect();
         let text = table::folded(&rows, 80);
         assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");

@@ -42,7 +42,7 @@ fn headers_have_the_command_that_makes_the_same_core() {
         ([&["--bound", "1lsb"], &device[..]].concat(), " --bound 1lsb --device ecp5-25"),
         (vec!["--max-error", "25lsb"], " --max-error 25lsb"),
         (vec!["--max-quantisation", "1.5lsb"], " --max-quantisation 1.5lsb"),
-        (device.to_vec(), " --device ice40up5k"),
+        (device.to_vec(), " --device ecp5-25"),
         (vec!["--formats", "recommended"], " --formats recommended"),
     ] {
         let verilog = place.succeeds(&[&teapot[..], &asked, &["-o", "-"]].concat());
