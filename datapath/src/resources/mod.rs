@@ -40,7 +40,8 @@ impl Resources {
     /// What a design takes of a target's devices. A design that was made for no target takes the
     /// blocks that its products are cut into.
     pub fn of(design: &Design, target: &Target) -> Resources {
-        let counted = Counted::of(&design.to_block());
+        let block = design.to_block();
+        let counted = Counted::of(&block);
         let products = products::Products::of(design, target);
         let wiring = Wiring::of(design);
         let gates = Gates::of(&wiring, target.logic.carry);
@@ -58,7 +59,12 @@ impl Resources {
             flip_flops: counted.flip_flops.saturating_sub(wiring.superfluous_flip_flops()),
             logic_cells,
             blocks: products.blocks,
-            memories: 0,
+            memories: match &target.table {
+                Some(ram) if target.logic.memory == 0 => {
+                    Counted::delay_memories(&block, ram.widest.into())
+                }
+                _ => 0,
+            },
         }
     }
 }

@@ -29,12 +29,26 @@ impl Counted {
     /// long are one: they begin alike and count alike, which synthesis finds.
     pub fn of(core: &Module) -> Counted {
         let mut lengths = BTreeSet::new();
-        let mut counted = Counted::default();
+        let memories = Counted::delay_memories(core, MEMORY_BITS);
+        let mut counted = Counted { memories, ..Counted::default() };
         counted.add(core, &mut lengths);
         counted.counters = lengths.len() as u64;
         let counters = lengths.into_iter().map(|clocks: usize| u64::from((clocks - 2).ilog2() + 1));
         counted.flip_flops += counters.sum::<u64>();
         counted
+    }
+
+    /// Memories with words of so many bits that the delay lines of a core take which are memories.
+    pub fn delay_memories(core: &Module, word_bits: u64) -> u64 {
+        let delays = Delays::of(core);
+        let in_memory = delays
+            .lines
+            .iter()
+            .filter(|line| line.storage(LongDelays::Memories) == Storage::Memory);
+        let width = |wire: u32| u64::from(core.wires()[wire as usize].wire_type().width);
+        let own: u64 = in_memory.map(|line| width(line.input).div_ceil(word_bits)).sum();
+        let inside = core.children().iter();
+        own + inside.map(|child| Counted::delay_memories(&child.module, word_bits)).sum::<u64>()
     }
 
     fn add(&mut self, module: &Module, lengths: &mut BTreeSet<usize>) {
@@ -44,7 +58,6 @@ impl Counted {
         for line in &delays.lines {
             if line.storage(LongDelays::Memories) == Storage::Memory {
                 lengths.insert(line.clocks());
-                self.memories += width(line.input).div_ceil(MEMORY_BITS);
                 in_memory.extend(line.stages[..line.clocks() - 1].iter().copied());
             }
         }
