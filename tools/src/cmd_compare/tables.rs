@@ -210,10 +210,8 @@ mod tests {
 
     #[test]
     fn the_summary_fits_into_80_columns() {
-        let numbers = [
-            "st", "255.000", "99.999", "999", "99.99", "999999", "999", "999", "99999", "999",
-            "99999",
-        ];
+        let numbers =
+            ["st", "255.000", "99.999", "999", "99.99", "999999", "999", "999", "99999", "99999"];
         let row = |method: Method| {
             let core = format!("{} default", method.name());
             let cells = std::iter::once(core).chain(numbers.map(str::to_owned));

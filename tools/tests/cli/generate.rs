@@ -47,8 +47,8 @@ fn headers_have_the_command_that_makes_the_same_core() {
     ] {
         let verilog = place.succeeds(&[&teapot[..], &asked, &["-o", "-"]].concat());
         let command = format!("specula {}{recorded}", teapot.join(" "));
-        let found = verilog.lines().find_map(|line| line.strip_prefix("//   "));
-        let found = found.and_then(|found| found.strip_prefix(&command)).expect("the command");
+        let mut indented = verilog.lines().filter_map(|line| line.strip_prefix("//   "));
+        let found = indented.find_map(|line| line.strip_prefix(&command)).expect("the command");
         let on_target = asked.contains(&"--device");
         assert_eq!(found.starts_with(" --target ecp5 --clock "), on_target, "{found}");
         assert!(on_target || found.is_empty(), "{found}");
