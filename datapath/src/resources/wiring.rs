@@ -1,7 +1,7 @@
 //! A design as synthesis sees it: twins are one, wires are passed over, and what nobody reads is not
 //! there.
 use super::{needed, twins};
-use crate::design::{Design, NodeId, Op};
+use crate::design::{Design, MultiplierBlock, NodeId, Op};
 
 /// A design with what reads each signal.
 pub struct Wiring<'a> {
@@ -29,7 +29,7 @@ impl<'a> Wiring<'a> {
     pub fn of(design: &'a Design) -> Wiring<'a> {
         let count = design.nodes.len();
         let mut in_block = vec![false; count];
-        let inside = design.multipliers.iter().flat_map(|block| block.inside());
+        let inside = design.multipliers.iter().flat_map(MultiplierBlock::inside);
         inside.for_each(|id| in_block[id.0 as usize] = true);
         let firsts = twins::firsts(design, &in_block);
         let first = |id: NodeId| firsts[id.0 as usize];
