@@ -16,9 +16,9 @@ fn targets(method: Method) -> impl Iterator<Item = (SynthTarget, f64)> {
 }
 
 /// By how much an estimate may differ from what Yosys 0.23 makes, as a share of it. The largest
-/// differences that were measured are .126 for look-up tables (`duff` on an iCE40 UP) and .04 for
-/// flip-flops.
-const TOLERANCE: f64 = 0.15;
+/// differences that were measured are .11 for look-up tables and .04 for flip-flops, on devices that
+/// have enough blocks.
+const TOLERANCE: f64 = 0.12;
 
 fn cells_are_those_that_yosys_makes(method: Method) {
     if !tools::is_installed("yosys") {
@@ -40,11 +40,14 @@ fn cells_are_those_that_yosys_makes(method: Method) {
         assert_eq!(estimated.blocks, counted.blocks, "{method:?} on {}", synth.name);
         assert_eq!(estimated.memories, made.memories, "{method:?} on {}", synth.name);
         assert!(made.flip_flops <= counted.flip_flops, "{method:?} on {}", synth.name);
-        for (estimate, made) in
-            [(estimated.luts, made.luts), (estimated.flip_flops, made.flip_flops)]
-        {
+        let close = |estimate: u64, made: u64| {
             let off = (estimate as f64 / made as f64 - 1.0).abs();
             assert!(off < TOLERANCE, "{method:?} on {}: {estimate}, {made}", synth.name);
+        };
+        close(estimated.flip_flops, made.flip_flops);
+        // Where no device has the blocks, nobody asks for look-up tables.
+        if target.devices.iter().any(|device| estimated.blocks <= device.blocks) {
+            close(estimated.luts, made.luts);
         }
     }
 }
