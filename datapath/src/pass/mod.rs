@@ -26,7 +26,7 @@ use crate::target::Target;
 
 pub use bounds::{Bounds, bounds};
 pub use extent::extent;
-pub use lower::lowered;
+pub use lower::{Lowered, lowered};
 pub use schedule::{LoopTooLate, Schedule, schedule};
 
 /// What a graph is put into clocks for.
@@ -56,23 +56,19 @@ pub fn compile(graph: &Graph, pipelining: &Pipelining) -> Result<Design, LoopToo
     match pipelining {
         Pipelining::EachOperator => placed(graph),
         Pipelining::ForClock { target, mhz } => {
-            let design = placed(&lowered(graph, target, *mhz))?;
+            let design = placed(&lowered(graph, target, *mhz).graph)?;
             Ok(Design { primitives: target.primitives(), ..design })
         }
     }
 }
 
 /// The highest clock, in MHz, at which every operator and every loop of a graph meets the target's
-/// delays; 1 GHz if nothing limits it.
+/// delays and sums are not cut more often than its placement bears; 1 GHz if nothing limits it.
 pub fn highest_clock(graph: &Graph, target: &Target) -> f64 {
-    let allows = |mhz: f64| {
-        let graph = lowered(graph, target, mhz);
-        schedule::longest(&graph, target, mhz).is_none_or(|path| path.delay <= 1000.0 / mhz)
-    };
     let (mut low, mut high) = (1u32, 1000u32);
     while low < high {
         let middle = (low + high).div_ceil(2);
-        if allows(f64::from(middle)) {
+        if limit_at(graph, target, f64::from(middle)).is_none() {
             low = middle;
         } else {
             high = middle - 1;
@@ -81,30 +77,47 @@ pub fn highest_clock(graph: &Graph, target: &Target) -> f64 {
     f64::from(low)
 }
 
-/// What keeps the clock of a graph from being higher than so many MHz.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ClockLimit {
-    /// Full name of the value at which the path begins.
-    pub from: String,
-    /// Full name of the value at which it ends; the same where a single operator limits the clock.
-    pub to: String,
-    /// Whether the path is part of a loop.
-    pub in_loop: bool,
-    /// Nanoseconds from register to register.
-    pub delay: f64,
+/// What keeps the clock of a graph from being higher than so many MHz: what is in the way 1 MHz
+/// above, whatever the schedule; none if nothing is.
+pub fn clock_limit(graph: &Graph, target: &Target, mhz: f64) -> Option<ClockLimit> {
+    limit_at(graph, target, mhz + 1.0)
 }
 
-/// The path that does not meet a clock 1 MHz above `mhz`, whatever the schedule; none if there is
-/// no such path.
-pub fn clock_limit(graph: &Graph, target: &Target, mhz: f64) -> Option<ClockLimit> {
-    let above = mhz + 1.0;
-    let graph = lowered(graph, target, above);
-    let path = schedule::longest(&graph, target, above)?;
-    let name = |id| {
-        let value = graph.value(id);
-        format!("{}.{}", graph.path(value.scope).join("."), value.name)
-    };
-    let (from, to) = (name(path.from), name(path.to));
-    let (in_loop, delay) = (path.in_loop, path.delay);
-    (delay > 1000.0 / above).then_some(ClockLimit { from, to, in_loop, delay })
+/// What keeps the clock of a graph from being higher.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ClockLimit {
+    /// A path that no register cuts.
+    Path {
+        /// Full name of the value at which the path begins.
+        from: String,
+        /// Full name of the value at which it ends; the same where it is a single operator.
+        to: String,
+        /// Whether the path is part of a loop.
+        in_loop: bool,
+        /// Nanoseconds from register to register.
+        delay: f64,
+    },
+    /// Sums in so many pieces that their carries are more than placement keeps short.
+    Carries {
+        /// Carries from a piece to the next one.
+        needed: u32,
+        /// How many of them placement keeps short.
+        most: u32,
+    },
+}
+
+/// What is in the way of a clock of so many MHz, if anything is.
+fn limit_at(graph: &Graph, target: &Target, mhz: f64) -> Option<ClockLimit> {
+    let Lowered { graph, carries: needed } = lowered(graph, target, mhz);
+    let path = schedule::longest(&graph, target, mhz)?;
+    if path.delay > 1000.0 / mhz {
+        let name = |id| {
+            let value = graph.value(id);
+            format!("{}.{}", graph.path(value.scope).join("."), value.name)
+        };
+        let (from, to) = (name(path.from), name(path.to));
+        return Some(ClockLimit::Path { from, to, in_loop: path.in_loop, delay: path.delay });
+    }
+    let most = target.fabric.as_ref()?.carries?;
+    (needed > most).then_some(ClockLimit::Carries { needed, most })
 }

@@ -57,6 +57,9 @@ pub struct Fabric {
     pub carry: f64,
     /// For each bit that a carry passes.
     pub carry_bit: f64,
+    /// Carries from a piece of a sum to the next one that placement keeps short in one core; all,
+    /// if nothing is known.
+    pub carries: Option<u32>,
 }
 
 /// A multiplier block.

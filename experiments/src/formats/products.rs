@@ -166,7 +166,7 @@ mod tests {
         let [factors] = &specula_datapath::pass::extent(&graph).unwrap().factors[..] else {
             panic!("one product");
         };
-        let graph = lowered(&graph, target, 100.0);
+        let graph = lowered(&graph, target, 100.0).graph;
         let is_product = |op: &Op| matches!(op, Op::Mul(..));
         let made = graph.values.iter().filter(|value| is_product(&value.op)).count();
         let multiplier = target.multiplier.as_ref();

@@ -6,7 +6,7 @@ use specula_spec::{FieldContent, Positions};
 use super::register_map::{Access, Register, register_map};
 use super::template::Values;
 use super::vectors::{FrameVectors, Vectors};
-use super::{StreamCore, bench, fill};
+use super::{StreamCore, bench, fill, formal};
 
 /// A file of a block.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -35,6 +35,7 @@ pub fn files(core: &StreamCore, frames: &[FrameVectors], command: &str) -> Vec<F
         verilog("_regs.v", "the registers", include_str!("templates/regs.v")),
         verilog("_ip.v", "streams and registers", include_str!("templates/ip.v")),
         verilog("_tb.v", "the bench", include_str!("templates/tb.v")),
+        verilog("_formal.v", "the properties", include_str!("templates/formal.v")),
         file("_packets.hex", vectors.packets()),
         file("_pixels.hex", vectors.pixels()),
         file("_packet.md", packet_page(core)),
@@ -50,6 +51,7 @@ pub fn files(core: &StreamCore, frames: &[FrameVectors], command: &str) -> Vec<F
     files.push(plain("README.md", include_str!("templates/README.md")));
     files.push(file(".core", values.fill(include_str!("templates/fusesoc.core"))));
     files.push(plain("Makefile", include_str!("templates/Makefile")));
+    files.push(plain("prove.sh", include_str!("templates/prove.sh")));
     files
 }
 
@@ -58,6 +60,7 @@ fn values(core: &StreamCore, vectors: &Vectors, frames: usize, command: &str) ->
     let name = core.name();
     let mut values = fill::values(core);
     bench::values(core, vectors, frames, &mut values);
+    formal::values(core, &mut values);
     values.set("VERSION_TEXT", env!("CARGO_PKG_VERSION"));
     values.set("COMMAND", command);
     values.set("YOSYS_ARCH", yosys_arch(core));

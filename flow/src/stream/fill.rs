@@ -119,7 +119,7 @@ fn core_instance(core: &StreamCore, values: &mut Values) {
 }
 
 /// The pin of a control input, if the core has it.
-fn control_pin(design: &Design, id: NodeId, net: &str) -> Option<(String, String)> {
+pub(super) fn control_pin(design: &Design, id: NodeId, net: &str) -> Option<(String, String)> {
     let node = design.node(id);
     (node.op == Op::Input).then(|| (node.name.clone(), net.to_owned()))
 }
@@ -161,7 +161,7 @@ fn selected_bits(net: &str, low: u32, width: u32) -> String {
 }
 
 /// Bounds of a vector and a blank; nothing for a single bit.
-fn bounds(width: u32) -> String {
+pub(super) fn bounds(width: u32) -> String {
     if width == 1 { String::new() } else { format!("[{}:0] ", width - 1) }
 }
 

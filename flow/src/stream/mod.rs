@@ -6,6 +6,7 @@
 mod bench;
 mod files;
 mod fill;
+mod formal;
 mod register_map;
 mod template;
 mod vectors;

@@ -2,6 +2,7 @@
 mod block;
 mod layout;
 mod malformed;
+mod proof;
 
 use block::{Block, core, frames, shapes};
 use specula_fixtures::{each_method, tools};

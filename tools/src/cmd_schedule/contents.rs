@@ -92,12 +92,11 @@ pub struct CarriedFacts {
 
 /// What limits the clock.
 #[derive(Serialize)]
-pub struct LimitFacts {
-    /// `loop` or `operator`.
-    pub kind: &'static str,
-    pub from: String,
-    pub to: String,
-    pub ns: f64,
+#[serde(tag = "kind", rename_all = "lowercase")]
+pub enum LimitFacts {
+    Operator { from: String, to: String, ns: f64 },
+    Loop { from: String, to: String, ns: f64 },
+    Carries { needed: u32, most: u32 },
 }
 
 impl Contents {
@@ -197,9 +196,18 @@ impl Describing<'_> {
 }
 
 fn limit_facts(limit: &ClockLimit) -> LimitFacts {
-    let kind = if limit.in_loop { "loop" } else { "operator" };
     let below = |name: &str| name.split_once('.').map_or(name, |(_, rest)| rest).to_owned();
-    LimitFacts { kind, from: below(&limit.from), to: below(&limit.to), ns: limit.delay }
+    match limit {
+        &ClockLimit::Carries { needed, most } => LimitFacts::Carries { needed, most },
+        ClockLimit::Path { from, to, in_loop, delay } => {
+            let (from, to, ns) = (below(from), below(to), *delay);
+            if *in_loop {
+                LimitFacts::Loop { from, to, ns }
+            } else {
+                LimitFacts::Operator { from, to, ns }
+            }
+        }
+    }
 }
 
 fn carried_facts(carried: Carried) -> CarriedFacts {

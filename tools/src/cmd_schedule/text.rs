@@ -208,7 +208,16 @@ fn highest(contents: &Contents) -> Option<String> {
 }
 
 fn limit_in_words(limit: &LimitFacts) -> String {
-    let LimitFacts { kind, from, to, ns } = limit;
+    let (kind, from, to, ns) = match limit {
+        LimitFacts::Operator { from, to, ns } => ("operator", from, to, ns),
+        LimitFacts::Loop { from, to, ns } => ("loop", from, to, ns),
+        LimitFacts::Carries { needed, most } => {
+            return format!(
+                "sums in shorter pieces have {needed} carries between them, of which placement \
+                 keeps {most} short"
+            );
+        }
+    };
     if from == to {
         format!("the {kind} {to} takes {ns:.2} ns")
     } else {

@@ -21,10 +21,20 @@ use crate::names::unique;
 use crate::target::Target;
 use accumulator::{Accumulator, accumulators, changing};
 
+/// A graph of a target's operators.
+pub struct Lowered {
+    /// The graph.
+    pub graph: Graph,
+    /// Carries from a piece of a sum to the next one, those of accumulators apart.
+    pub carries: u32,
+}
+
 /// The graph with the operators of a target at a clock; itself where no delays of the target are
 /// known.
-pub fn lowered(graph: &Graph, target: &Target, mhz: f64) -> Graph {
-    let Some(fabric) = &target.fabric else { return graph.clone() };
+pub fn lowered(graph: &Graph, target: &Target, mhz: f64) -> Lowered {
+    let Some(fabric) = &target.fabric else {
+        return Lowered { graph: graph.clone(), carries: 0 };
+    };
     let widest = |period| fabric.widest_sum(period).unwrap_or(1).max(NARROWEST_PIECE);
     let period = 1000.0 / mhz;
     // Without a gate before it, the sum of a loop goes to two registers.
@@ -64,6 +74,8 @@ struct Lowering<'a> {
     widest_sum: u32,
     /// Most bits of one in a loop.
     widest_loop: u32,
+    /// Carries from a piece of a sum to the next one.
+    carries: u32,
     /// The new graph; its groups and real values are those of the old one until the end.
     graph: Graph,
     /// The new value of each old one.
@@ -101,6 +113,7 @@ impl<'a> Lowering<'a> {
             pace: Pace::Target,
             widest_sum,
             widest_loop,
+            carries: 0,
             names: names.chain(instances).chain(control).collect(),
             graph: Graph { values: vec![], ..from.clone() },
             new: vec![],
@@ -139,7 +152,7 @@ impl<'a> Lowering<'a> {
     }
 
     /// The finished graph.
-    fn finish(mut self, accumulators: &HashMap<NodeId, Accumulator>) -> Graph {
+    fn finish(mut self, accumulators: &HashMap<NodeId, Accumulator>) -> Lowered {
         let new = |id: NodeId| self.new[id.0 as usize];
         let opened: HashSet<NodeId> = accumulators.values().map(|of| of.state).collect();
         for (old, value) in self.from.values.iter().enumerate() {
@@ -156,7 +169,7 @@ impl<'a> Lowering<'a> {
         for id in [&mut graph.valid, &mut graph.start, &mut graph.leaves] {
             *id = new(*id);
         }
-        self.graph
+        Lowered { graph: self.graph, carries: self.carries }
     }
 
     fn push(&mut self, value: Value) -> NodeId {

@@ -93,6 +93,7 @@ impl Lowering<'_> {
         range: Range,
         bits: u32,
     ) -> Op {
+        self.carries += 1;
         let [low_a, low_b] = [a, b].map(|id| self.low(at, id, bits));
         let [high_a, high_b] = [a, b].map(|id| self.high(at, id, bits));
         let (low_range_a, low_range_b) = (self.range(low_a), self.range(low_b));

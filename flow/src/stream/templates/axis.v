@@ -95,6 +95,11 @@ module @NAME@_axis #(
   wire span_done = complete & at_last;
 
 ?frames|  // Before a frame the pipeline drains; then the inputs that hold for the frame are taken over.
+?frames|`ifdef FORMAL
+?frames|  localparam DRAIN = @FORMAL_DRAIN@;  // of the pipeline in place of the core
+?frames|`else
+?frames|  localparam DRAIN = @DRAIN@;
+?frames|`endif
 ?frames|  reg taken;
 ?frames|  reg [@DRAIN_TOP@:0] drain;  // clocks until the last pixel has left, or the inputs have settled
 ?frames|  reg drained;
@@ -111,7 +116,7 @@ module @NAME@_axis #(
 ?frames|      drain <= @DRAIN_WIDTH@'d0;
 ?frames|      drained <= 1'b1;
 ?frames|    end else if (enter) begin
-?frames|      drain <= @DRAIN_WIDTH@'d@DRAIN@;
+?frames|      drain <= DRAIN[@DRAIN_TOP@:0];
 ?frames|      drained <= 1'b0;
 ?frames|    end else if (frame) begin
 ?frames|      drain <= @DRAIN_WIDTH@'d@SETTLING@;
@@ -200,6 +205,44 @@ module @NAME@_axis #(
 
   // The rest of the header is 0, and above some inputs stand copies of their highest bit.
   wire unused_bits = &{1'b0, packet[31:17]@UNUSED_INPUTS@};
+
+  // What is proven of all this, in @NAME@_formal.v.
+`ifdef FORMAL
+  @NAME@_properties #(
+      .LOG2_DEPTH(LOG2_DEPTH)
+  ) properties (
+      .clock(aclk),
+      .reset(reset),
+      .word(s_axis_tdata),
+      .accept(s_axis_tvalid & s_axis_tready),
+      .word_last(s_axis_tlast),
+      .packet(packet),
+      .full(full),
+      .load(load),
+      .skipped(skipped),
+      .lost_last(lost_last),
+      .shading(shading),
+      .left(left),
+      .at_last(at_last),
+      .at_first(at_first),
+      .at_frame(at_frame),
+      .of_frame(of_frame),
+      .frame(frame),
+      .enter(enter),
+      .spend(spend),
+      .complete(complete),
+      .leaves(leaves),
+      .freed(freed),
+      .places(places),
+?positions|      .tag({y, x, of_frame, at_last}),
+!positions|      .tag({of_frame, at_last}),
+      .pixel(m_axis_tdata),
+      .pixel_valid(m_axis_tvalid),
+      .pixel_ready(m_axis_tready),
+      .pixel_first(m_axis_tuser),
+      .pixel_last(m_axis_tlast)
+  );
+`endif
 endmodule
 
 // Modules of the stream top follow; they stand in its file so that one file is the whole of it.

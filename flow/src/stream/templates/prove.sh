@@ -1,0 +1,36 @@
+#!/bin/sh
+# Specula @VERSION_TEXT@: proves what @NAME@_formal.v says of the block, for all times, by
+# property-directed reachability. It needs yosys and its yosys-abc.
+#
+#   sh prove.sh [PROPERTY...]   those alone; without names, all
+set -eu
+wanted=" $* "
+failed=0
+
+for top in @NAME@_formal @NAME@_regs_formal; do
+  yosys -q -p "read_verilog -formal @NAME@_formal.v @NAME@_axis.v @NAME@_regs.v; prep -flatten -top $top;
+    memory_map; opt -full; techmap; opt -full; abc -g AND -fast; opt_clean; dffunmap; opt_expr; opt_clean;
+    techmap; abc -g AND -fast; opt_clean; tee -q -o $top.properties select -list t:\$assert;
+    write_aiger -zinit $top.aig"
+  number=0
+  while read -r property; do
+    name=${property##*[./]}
+    output=$number
+    number=$((number + 1))
+    case $wanted in "  " | *" $name "*) ;; *) continue ;; esac
+    yosys-abc -c "read_aiger $top.aig; strash; cone -s -O $output; scleanup; lcorr; scorr -F 2; dc2;
+      scorr -F 3; pdr -T 600" >prove.log 2>&1
+    if grep -q 'Property proved' prove.log; then
+      echo "proven: $name"
+    elif grep -q 'was asserted in frame' prove.log; then
+      echo "FAIL: $name does not hold"
+      failed=1
+    else
+      echo "FAIL: $name was not decided"
+      failed=1
+    fi
+  done <$top.properties
+done
+
+if [ $failed = 0 ]; then echo PASS; fi
+exit $failed
