@@ -4,9 +4,17 @@
 //! The texts are templates written by hand (`templates/`), in which a core's widths, ports and
 //! constants are filled in.
 mod bench;
+mod c_header;
+mod constraints;
+mod data_sheet;
 mod files;
 mod fill;
+mod handshake;
+mod packet_table;
 mod register_map;
+mod register_table;
+mod synthesis;
+mod system_rdl;
 mod template;
 mod vectors;
 
@@ -15,6 +23,7 @@ use specula_datapath::design::ScopeId;
 use specula_spec::{CoreSpec, Hold, PacketLayout, Positions, WordWidth};
 
 pub use files::{File, files};
+pub use handshake::{Handshake, Row, Window};
 pub use register_map::{FrameInput, Register, register_map};
 pub use vectors::{FrameVectors, SpanVector, Vectors};
 
