@@ -1,10 +1,9 @@
 //! A packet and its pixels clock by clock, as the data sheet draws them. Values are computed from
 //! latency and interval alone; a test compares them with Icarus.
-use specula_wave::{Axis, Figure, Group, Notation, Segment, Shape, SignalRow, Value};
-
 use super::StreamCore;
 use super::files::File;
 use super::vectors::{FrameVectors, SpanVector};
+use super::waveform::{Row, Window};
 
 /// A span of a frame's vectors that goes in alone, after the registers have been written. The next
 /// packet stands behind its last word. When its second pixel comes, `m_axis_tready` falls for two
@@ -17,28 +16,6 @@ pub struct Handshake {
     pub pixels: Window,
     /// Clocks in which `m_axis_tready` is low.
     pub refused: [u32; 2],
-}
-
-/// Some signals during some clocks.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Window {
-    /// What it shows.
-    pub title: String,
-    /// The first clock, counted from that of the packet's first word.
-    pub first: u32,
-    /// The signals.
-    pub rows: Vec<Row>,
-}
-
-/// A signal's values, one for each clock, sampled by the edge that ends it.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Row {
-    /// Its name.
-    pub signal: &'static str,
-    /// Its width.
-    pub bits: u32,
-    /// Its values; `None` where it means nothing.
-    pub values: Vec<Option<u64>>,
 }
 
 /// Fewest pixels of a span that shows how pixels follow each other, and most that are shown.
@@ -80,7 +57,7 @@ impl Handshake {
             format!("<!-- Specula {}: a handshake of {name}_ip. -->\n", env!("CARGO_PKG_VERSION"));
         [("packet", &self.packet), ("pixels", &self.pixels)].map(|(which, window)| File {
             name: format!("{name}_{which}.svg"),
-            text: format!("{about}{}", specula_wave::svg(&window.figure(), None)),
+            text: format!("{about}{}", window.svg()),
         })
     }
 }
@@ -100,7 +77,7 @@ fn packet(core: &StreamCore, span: &SpanVector, taken: u32) -> Window {
             row("s_axis_tdata", core.word.bits(), each(&word)),
             row("s_axis_tvalid", 1, each(&|_| 1)),
             row("s_axis_tready", 1, each(&|clock| u64::from(clock < count || clock > taken))),
-            row("s_axis_tlast", 1, each(&|clock| u64::from(clock + 1 == count))),
+            row("s_axis_tlast", 1, each(&|clock| u64::from(clock + 1 == count || count == 1))),
         ],
     }
 }
@@ -158,54 +135,5 @@ fn pixels(core: &StreamCore, span: &SpanVector, places: &Places) -> Window {
             row("m_axis_tuser", 1, of_pixel(&|number| u64::from(number == 0))),
             row("m_axis_tlast", 1, of_pixel(&|number| u64::from(number + 1 == span.codes.len()))),
         ],
-    }
-}
-
-impl Window {
-    /// Its drawing, a column for each clock.
-    fn figure(&self) -> Figure {
-        let clocks = self.rows.first().map_or(0, |row| row.values.len()) as u64;
-        let first = u64::from(self.first);
-        Figure {
-            title: self.title.clone(),
-            notes: vec!["Clocks are counted from the first word on.".to_owned()],
-            axis: Axis {
-                unit: "clock".to_owned(),
-                begin: 0,
-                step: 1,
-                numbers: (first..first + clocks).collect(),
-                marker: None,
-            },
-            groups: vec![Group {
-                unit: "aclk".to_owned(),
-                rows: self.rows.iter().map(Row::drawn).collect(),
-            }],
-        }
-    }
-}
-
-impl Row {
-    /// Its row of a drawing. A word lasts as long as it does not change; where the signal means
-    /// nothing, nothing is drawn.
-    fn drawn(&self) -> SignalRow {
-        let mut segments: Vec<Segment> = vec![];
-        for (clock, value) in (0..).zip(&self.values) {
-            let Some(value) = value else { continue };
-            let value = Value::Bits(format!("{value:0width$b}", width = self.bits as usize));
-            match segments.last_mut() {
-                Some(last) if last.value == value && last.time.end == clock => last.time.end += 1,
-                _ => segments.push(Segment { time: clock..clock + 1, value }),
-            }
-        }
-        let cells = || Shape::Cells {
-            notation: Notation::Hexadecimal,
-            format: Notation::Hexadecimal.label(self.bits),
-        };
-        SignalRow {
-            name: self.signal.to_owned(),
-            shape: if self.bits == 1 { Shape::Levels } else { cells() },
-            segments,
-            highlight: None,
-        }
     }
 }

@@ -17,15 +17,17 @@ mod synthesis;
 mod system_rdl;
 mod template;
 mod vectors;
+mod waveform;
 
 use specula_datapath::Design;
 use specula_datapath::design::ScopeId;
 use specula_spec::{CoreSpec, Hold, PacketLayout, Positions, WordWidth};
 
 pub use files::{File, files};
-pub use handshake::{Handshake, Row, Window};
+pub use handshake::Handshake;
 pub use register_map::{FrameInput, Register, register_map};
 pub use vectors::{FrameVectors, SpanVector, Vectors};
+pub use waveform::{Row, Window};
 
 /// The shape of a core's streams.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -37,7 +37,7 @@ module handshake;
     if (clock >= -1 && (!s_axis_tvalid || s_axis_tready)) begin
       s_axis_tvalid <= next_word < `WORDS;
       s_axis_tdata <= words[next_word];
-      s_axis_tlast <= next_word == `WORDS - 2;
+      s_axis_tlast <= next_word == `WORDS - 2 || `WORDS == 2;
       next_word <= next_word + 1;
     end
     m_axis_tready <= clock + 1 != `REFUSED && clock != `REFUSED;

@@ -215,7 +215,7 @@ fn a_block_is_written_with_all_it_takes() {
     printed.sort_unstable();
     assert_eq!(printed, names);
     insta::assert_snapshot!("files_of_a_block", names.join("\n"));
-    for name in ["teapot_packet.md", "teapot_axis.v", "README.md"] {
+    for name in ["teapot.md", "teapot_axis.v", "README.md"] {
         let text = fs::read_to_string(place.path("block").join(name)).unwrap();
         insta::assert_snapshot!(format!("block_{}", name.replace('.', "_")), text);
     }
