@@ -1,7 +1,7 @@
 """FuseSoC generator: makes a shading core of a scene with `specula generate SCENE --ip`.
 
-FuseSoC starts it in an empty folder with the path of a YAML file: what the core is to be called, where
-the asking .core file stands, and its parameters, which specula.core lists.
+FuseSoC starts it in an empty folder with the path of a YAML file: what the core is to be called,
+where the asking .core file stands, and its parameters, which specula.core lists.
 """
 import os
 import re

@@ -1,5 +1,5 @@
-// A design around the core `shader`: the registers are out of use, and pixels go out as red, green and
-// blue.
+// A design around the core `shader`: the registers are out of use, and pixels go out as red, green
+// and blue.
 `default_nettype none
 
 module lit_torus (

@@ -22,8 +22,8 @@ pub struct Handshake {
 const PIXELS: usize = 4;
 
 impl StreamCore<'_> {
-    /// Clocks from that in which the last word of a packet is taken to that in which its first pixel
-    /// is at the output, of a block that has nothing else to do.
+    /// Clocks from that in which the last word of a packet is taken to that in which its first
+    /// pixel is at the output, of a block that has nothing else to do.
     pub(super) fn first_pixel(&self) -> u32 {
         self.loading() + self.design.latency() + 4
     }

@@ -2,8 +2,8 @@
 """Streams the packets of @NAME@_packets.hex in, with the registers of each frame written before it,
 compares every pixel and place with @NAME@_pixels.hex, and writes each frame as @NAME@_frame_N.png.
 
-`python3 test_@NAME@.py` runs it. Of the environment, SEED pauses both streams at random (0 for none),
-and SIM is the simulator.
+`python3 test_@NAME@.py` runs it. Of the environment, SEED pauses both streams at random (1 if it is
+not set, 0 for no pauses), and SIM is the simulator.
 """
 import logging
 import os
