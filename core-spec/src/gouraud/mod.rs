@@ -13,6 +13,7 @@ use specula_datapath::Format;
 
 use crate::formats::formats;
 
+pub use lit_point::LitPoint;
 pub use inputs::{GouraudInputs, GouraudLight, Intensity};
 
 /// Where intensities are computed, and what lies between.

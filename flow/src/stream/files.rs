@@ -3,6 +3,8 @@ use std::fmt::Write;
 
 use specula_spec::{FieldContent, Positions};
 
+use crate::host::HostCode;
+
 use super::register_map::{Access, Register, register_map};
 use super::template::Values;
 use super::vectors::{FrameVectors, Vectors};
@@ -73,10 +75,26 @@ fn values(core: &StreamCore, vectors: &Vectors, frames: usize, command: &str) ->
                 clock, in which\n// inputs that hold for a frame are taken over.";
     let regs = "\n//\n// What is written to an input waits for the next frame: the core sees it from the \
                 first span on whose\n// packet comes whole after it, if that begins a frame.";
+    host_code(core, &mut values);
     values.set("FRAME_ABOUT", if registers { axis } else { "" });
     values.set("FRAME_RULES", if registers { FRAME_RULES } else { NO_FRAME_RULES });
     values.set("REGS_ABOUT", if registers { regs } else { "" });
     values
+}
+
+/// How the host's code is called.
+fn host_code(core: &StreamCore, values: &mut Values) {
+    let (name, code) = (core.name(), HostCode::new(core));
+    let needs_frame = code.packets_need_the_frame();
+    values.set("UPPER", name.to_uppercase());
+    values.set("AND_A_FRAME", if code.has_frame() { " and of a frame" } else { "" });
+    values.set("FRAME_ARGUMENT", if needs_frame { "&frame, " } else { "" });
+    values.set("PYTHON_FRAME_ARGUMENT", if needs_frame { "frame, " } else { "" });
+    let registers = core.has_frame_inputs();
+    let before = if registers { ", and the registers before it" } else { "" };
+    values.set("HOST_REGISTERS", before);
+    let writes = format!("grep -v '^//' {name}_registers.hex; ");
+    values.set("HOST_WRITES", if registers { writes } else { String::new() });
 }
 
 /// The clock that the core was made for, in the format of its target's tools, if it has one that such

@@ -7,7 +7,7 @@ mod bench;
 mod files;
 mod fill;
 mod register_map;
-mod template;
+pub(crate) mod template;
 mod vectors;
 
 use specula_datapath::Design;
