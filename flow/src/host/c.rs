@@ -2,8 +2,8 @@
 use std::fmt::Write;
 
 use super::code::{HostCode, Place, SentInput, SentPart, ones, shifts};
-use super::float_error::float_error;
 use super::expression::{Token, tokens};
+use super::float_error::float_error;
 use super::library::Library;
 use super::program::{Definition, Given, Holder, Kind, Number, Source};
 use super::text::{commented, joined};
@@ -186,7 +186,9 @@ fn packet_words(code: &HostCode) -> String {
         let _ = writeln!(text, "  uint64_t word{number} = {value};");
     }
     if code.has_positions() {
-        text.push_str("  bits = (uint64_t)(span->x & 0xffffu) | (uint64_t)(span->y & 0xffffu) << 16;\n");
+        text.push_str(
+            "  bits = (uint64_t)(span->x & 0xffffu) | (uint64_t)(span->y & 0xffffu) << 16;\n",
+        );
         let shift = if header == 1 { "" } else { " << 32" };
         let _ = writeln!(text, "  word{header} |= bits{shift};");
     }
@@ -220,6 +222,9 @@ fn float(code: &HostCode, input: &SentInput) -> String {
 
 /// Statements that list the register writes of a frame.
 fn writes(code: &HostCode) -> String {
+    if code.registers.inputs.is_empty() {
+        return String::new();
+    }
     let mut text = "  int64_t raw;\n".to_owned();
     let mut place = 0;
     for input in &code.registers.inputs {

@@ -77,11 +77,7 @@ impl<'a> HostCode<'a> {
         });
         let registers = core.frame_inputs();
         let registers = registers.into_iter().map(|input| (input.number, Place::Registers(input)));
-        HostCode {
-            core,
-            packet: sent(fields.collect()),
-            registers: sent(registers.collect()),
-        }
+        HostCode { core, packet: sent(fields.collect()), registers: sent(registers.collect()) }
     }
 
     /// Whether pixels have a position.

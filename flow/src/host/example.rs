@@ -87,12 +87,7 @@ fn values(code: &HostCode, example: &ExampleSpan, language: &Language) -> Values
 }
 
 /// The fields of a struct with their values, a line each.
-fn fields(
-    code: &HostCode,
-    example: &ExampleSpan,
-    language: &Language,
-    holder: Holder,
-) -> String {
+fn fields(code: &HostCode, example: &ExampleSpan, language: &Language, holder: Holder) -> String {
     let is_of_spans = match holder {
         Holder::Span => true,
         Holder::Material => code.materials_are_of_spans(),
@@ -103,8 +98,7 @@ fn fields(
         let numbers = host_value(code.core.spec, example.frame, example.span, source)
             .expect("a frame has what host code asks for");
         let is_whole = source.kind == Kind::Whole;
-        let number =
-            |value: &f64| if is_whole { format!("{value}") } else { format!("{value:?}") };
+        let number = |value: &f64| if is_whole { format!("{value}") } else { format!("{value:?}") };
         let all = numbers.iter().map(number).collect::<Vec<_>>().join(", ");
         let [open, close] = language.brackets;
         let value = if numbers.len() > 1 { format!("{open}{all}{close}") } else { all };

@@ -2,6 +2,7 @@
 use specula_datapath::format::power_of_two;
 
 use super::code::SentInput;
+use super::program::Given;
 
 /// Units of a float's last place by which a value of an input may be off before it is rounded.
 const UNITS_OF_FLOAT: f64 = 16.0;
@@ -14,5 +15,9 @@ pub fn float_error(input: &SentInput) -> i64 {
     // What small values are made of is about 1.
     let largest = (low.abs().max(high.abs()) as f64 * format.ulp()).max(1.0);
     let scale = power_of_two(i64::from(format.fraction_bits) - FRACTION_BITS);
-    1 + (UNITS_OF_FLOAT * largest * scale).floor() as i64
+    let one = 1 + (UNITS_OF_FLOAT * largest * scale).floor() as i64;
+    match input.given {
+        Given::Rounded(_) => one,
+        Given::Difference { .. } => 2 * one,
+    }
 }

@@ -55,6 +55,15 @@ fn of_span(spec: &CoreSpec, frame: &Frame, span: &Span, name: &str) -> Option<Ve
         _ => None,
     };
     let vector = |vector: [f64; 3]| Some(vector.to_vec());
+    if let Some((corner, what)) = name.strip_prefix("corner").and_then(|rest| rest.split_once('_'))
+    {
+        let corner: usize = corner.parse().ok()?;
+        return match what {
+            "normal" => vector(triangle.normals.get(corner)?.to_array()),
+            "axis" => vector(triangle.cones.get(corner)?.axis.to_array()),
+            _ => None,
+        };
+    }
     match name {
         "first_normal" => vector(frame.normal_at(span, span.start).to_array()),
         "last_normal" => vector(frame.normal_at(span, span.end).to_array()),
@@ -63,9 +72,6 @@ fn of_span(spec: &CoreSpec, frame: &Frame, span: &Span, name: &str) -> Option<Ve
         "last_axis" => Some(axis(span.end)),
         "first_angle" => angle(span.start),
         "last_angle" => angle(span.end),
-        "corner0_normal" => vector(triangle.normals[0].to_array()),
-        "corner1_normal" => vector(triangle.normals[1].to_array()),
-        "corner2_normal" => vector(triangle.normals[2].to_array()),
         "first_weights" => vector(span.start),
         "last_weights" => vector(span.end),
         "first_position" => vector(frame.position_at(span, span.start).to_array()),

@@ -16,8 +16,8 @@ mod program;
 mod python;
 mod text;
 
-pub use code::{HostCode, Place, SentInput, SentPart};
 pub use c::header as c_header;
+pub use code::{HostCode, Place, SentInput, SentPart};
 pub use example::{ExampleSpan, c_frame, c_span};
 pub use float_error::float_error;
 pub use host_values::host_value;

@@ -1,12 +1,12 @@
 //! Host code in Python.
 use std::fmt::Write;
 
+use super::c;
 use super::code::{HostCode, Place, SentInput, SentPart, ones};
 use super::expression::{Token, tokens};
 use super::library::Library;
 use super::program::{Definition, Given, Holder, Kind, Number, Source};
 use super::text::{commented, joined};
-use super::c;
 use crate::stream::template::Values;
 
 /// The module with everything that a host needs.
@@ -16,9 +16,8 @@ pub fn module(code: &HostCode) -> String {
     values.set("SPAN_FIELDS", fields(code, Holder::Span));
     values.set("FRAME_FIELDS", fields(code, Holder::Frame));
     values.set("MATERIAL_FIELDS", fields(code, Holder::Material));
-    let of = |sent: &SentPart, last: String| {
-        named(&joined([loads(code, sent), statements(sent), last]))
-    };
+    let of =
+        |sent: &SentPart, last: String| named(&joined([loads(code, sent), statements(sent), last]));
     values.set("PACKET_BODY", of(&code.packet, puts(code)));
     values.set("REGISTERS_BODY", of(&code.registers, writes(code)));
     values.set("FUNCTIONS", named(&functions(code).join("\n")));

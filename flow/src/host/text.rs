@@ -6,7 +6,7 @@ const LONGEST_LINE: usize = 100;
 /// A text as a comment: the first line begins with `first`, the others with `next`, and the last ends
 /// with `end`.
 pub fn commented(text: &str, first: &str, next: &str, end: &str) -> String {
-    let mut lines = vec![first.trim_end_matches('\n').to_owned()];
+    let mut lines = vec![first.to_owned()];
     for word in text.split_whitespace() {
         let line = lines.last_mut().map(|line| line.len()).unwrap_or_default();
         let begins = lines.last().is_some_and(|line| line == first || line == next);

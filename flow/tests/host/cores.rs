@@ -3,16 +3,18 @@ use specula_datapath::Design;
 use specula_fixtures::{Draw, any_spec, few_spans};
 use specula_flow::host::{ExampleSpan, Holder, HostCode, Kind, Source, files, host_value};
 use specula_flow::stream::{StreamCore, StreamShape};
-use specula_scene::{Frame, Needs, Span, builtin_names, load};
-use specula_spec::{CoreSpec, Method, Positions, SceneCore, SetUp, SpanHeader, WordWidth};
+use specula_scene::{Frame, Needs, Span, load};
+use specula_spec::{
+    CoreSpec, Method, Positions, SceneCore, SetUp, SpanHeader, Specialise, WordWidth,
+};
 
 /// A core, and the spans of a frame.
 pub struct HostedCore {
     pub name: String,
-    spec: CoreSpec,
+    pub spec: CoreSpec,
     design: Design,
     shape: StreamShape,
-    frame: Frame,
+    pub frame: Frame,
 }
 
 /// What the code of a language gives.
@@ -23,18 +25,20 @@ pub struct HostResult {
     pub words: Vec<u64>,
 }
 
-/// The cores of a method for every built-in scene, as a small picture.
-pub fn built_in(method: Method) -> Vec<HostedCore> {
+/// The cores of a method for built-in scenes of these names, as a small picture: made for the scene,
+/// or for any.
+pub fn built_in(method: Method, names: &[&str], made_for: Specialise) -> Vec<HostedCore> {
     let mut cores = vec![];
-    for name in builtin_names() {
-        let scene = load(name, Some((160, 120))).expect("it is built in");
+    for name in names {
+        let scene = load(name, Some((96, 72))).expect("it is built in");
         let spec = scene.core_spec(Some(method)).expect("every method serves it");
         let shape = StreamShape { word: WordWidth::Bits32, positions: Positions::Sent };
-        let general = spec.general();
-        for (kind, spec) in [("scene", spec), ("general", general)] {
-            let name = format!("{name}_{kind}");
-            cores.extend(HostedCore::new(name, spec, shape, scene.frame.clone()));
-        }
+        let spec = match made_for {
+            Specialise::Scene => spec,
+            Specialise::General => spec.general(),
+        };
+        let name = format!("{name}_{}", made_for.name());
+        cores.extend(HostedCore::new(name, spec, shape, scene.frame));
     }
     cores
 }
@@ -42,10 +46,10 @@ pub fn built_in(method: Method) -> Vec<HostedCore> {
 /// Cores of a method with options and formats at random.
 pub fn drawn(method: Method, draw: &mut Draw) -> Vec<HostedCore> {
     let mut cores = vec![];
-    for number in 0..12 {
-        let mut frame = few_spans::frame(number, if number > 7 { 3 } else { 2 }, 40);
+    for number in 0..8 {
+        let mut frame = few_spans::frame(number, if number > 4 { 3 } else { 2 }, 40);
         let keeps = number % 3 == 0;
-        if number > 7 {
+        if number > 4 {
             few_spans::place_lights(&mut frame);
         }
         if keeps {

@@ -11,7 +11,7 @@ use crate::cores::{HostResult, HostedCore, is_of_material, length};
 
 /// What the code of each core gives. None without an interpreter that has numpy.
 pub fn run(cores: &[HostedCore]) -> Option<Vec<HostResult>> {
-    let python = interpreter()?;
+    let python = tools::python_with_numpy()?;
     let folder = tempfile::tempdir().expect("there is room for a folder");
     let mut program = "import numpy as np\n".to_owned();
     for core in cores {
@@ -23,23 +23,11 @@ pub fn run(cores: &[HostedCore]) -> Option<Vec<HostResult>> {
     write(folder.path(), "hosts.py", program.as_bytes());
     succeed(Command::new(python).args(["-W", "error", "hosts.py"]).current_dir(folder.path()));
     let result = |core: &HostedCore| {
-        let bytes = fs::read(folder.path().join(format!("{}.out", core.name))).expect("it is there");
+        let bytes =
+            fs::read(folder.path().join(format!("{}.out", core.name))).expect("it is there");
         read(core, &bytes)
     };
     Some(cores.iter().map(result).collect())
-}
-
-/// An interpreter that has numpy: what `python3` is may be another one than the system's.
-fn interpreter() -> Option<&'static str> {
-    let has_numpy = |python: &&str| {
-        let ended = Command::new(python).args(["-c", "import numpy"]).output();
-        ended.is_ok_and(|ended| ended.status.success())
-    };
-    let found = ["/usr/bin/python3", "python3"].into_iter().find(has_numpy);
-    if found.is_none() {
-        tools::skipped("no `python3` has numpy");
-    }
-    found
 }
 
 fn statements(core: &HostedCore, code: &HostCode) -> String {
@@ -64,7 +52,8 @@ fn statements(core: &HostedCore, code: &HostCode) -> String {
             true => String::new(),
             false => format!(", material=block.Material({of_material})"),
         };
-        let _ = writeln!(text, "frame = block.Frame({})", (own + &material).trim_start_matches(", "));
+        let _ =
+            writeln!(text, "frame = block.Frame({})", (own + &material).trim_start_matches(", "));
     }
     let frame_length = place;
     let sources = code.span_sources();

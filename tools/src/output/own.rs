@@ -88,10 +88,12 @@ fn begins_like_ours(name: &str, path: &Path) -> bool {
         SpecFile::NAME => begins(SpecFile::ABOUT),
         _ if is_journal(name) => read().is_ok_and(|bytes| Journal::has_written(&bytes)),
         "Makefile" => begins("# Specula "),
-        _ if [".lpf", ".xdc", ".sdc"].iter().any(|end| name.ends_with(end)) => begins("# Specula "),
+        _ if [".lpf", ".xdc", ".sdc", ".py"].iter().any(|end| name.ends_with(end)) => {
+            begins("# Specula ")
+        }
         _ if name.ends_with(".core") => begins("CAPI=2:\n# Specula "),
         _ if name.ends_with(".md") => begins("<!-- Specula "),
-        _ if [".v", ".h", ".rdl", ".hex"].iter().any(|end| name.ends_with(end)) => {
+        _ if [".v", ".h", ".c", ".rdl", ".hex"].iter().any(|end| name.ends_with(end)) => {
             begins("// Specula ")
         }
         _ => false,
@@ -149,6 +151,9 @@ mod tests {
         assert!(!is_own("report.md", "# teapot\n"));
         assert!(is_own("README.md", "<!-- Specula 0.1.0: a shading core -->\n"));
         assert!(is_own("Makefile", "# Specula 0.1.0: simulation\n"));
+        assert!(is_own("teapot_host.c", "// Specula 0.1.0: makes the first packet\n"));
+        assert!(is_own("teapot.py", "# Specula 0.1.0: what a host sends\n"));
+        assert!(!is_own("mine.py", "import numpy\n") && !is_own("mine.c", "int main;\n"));
         assert!(is_own("teapot_pixels.hex", "// Specula 0.1.0: vectors\n"));
         assert!(!is_own("Makefile", "all: mine\n") && !is_own("mine.hex", "00\n"));
         let result = "{\"key\":{\"version\":\"0.1.0\"";

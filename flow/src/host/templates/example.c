@@ -1,4 +1,4 @@
-/* Specula @VERSION@: makes the first packet of @NAME@_packets.hex@REGISTERS_TOO@. */
+// Specula @VERSION@: makes the first packet of @NAME@_packets.hex@REGISTERS_TOO@.
 #include <inttypes.h>
 #include <stdio.h>
 

@@ -260,6 +260,12 @@ static inline struct @vector @turned(struct @vector axis, @real part, struct @ve
   const struct @vector own = @times(a, part * part - @dot(axis, axis));
   return @plus(@plus(own, along), @times(@cross(axis, a), part * 2));
 }
+=== weighted
+/* What is linear in a triangle, from its corners' vectors and barycentric weights. */
+static inline struct @vector @weighted(
+    struct @vector a, struct @vector b, struct @vector c, const @real weights[3]) {
+  return @plus(@plus(@times(a, weights[0]), @times(b, weights[1])), @times(c, weights[2]));
+}
 === reciprocal_length
 static inline @real @reciprocal_length(struct @vector a) { return 1 / @length(a); }
 === interpolated

@@ -213,6 +213,10 @@ def @turned(axis, part, a):
         axis[0] * a[1] - a[0] * axis[1],
     ])
     return own + along + across * (part * 2)
+=== weighted
+def @weighted(a, b, c, weights):
+    """What is linear in a triangle, from its corners' vectors and barycentric weights."""
+    return a * weights[0] + b * weights[1] + c * weights[2]
 === reciprocal_length
 def @reciprocal_length(a):
     return 1 / @length(a)

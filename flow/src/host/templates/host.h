@@ -1,5 +1,5 @@
-/* Specula @VERSION@: what a host sends to @NAME@_ip. C99, freestanding; nothing is allocated.
- *
+// Specula @VERSION@: what a host sends to @NAME@_ip. C99, freestanding; nothing is allocated.
+/*
  * View space is right-handed: x to the right, y up, z towards an eye at infinity. A host computes
  * what its vertices have, interpolates it linearly at the centres of a span's first and last pixel,
 ?registers| * and has @NAME@_packet make the words of the span's packet. @NAME@_registers makes the
@@ -31,6 +31,9 @@
 ?float|#define @UPPER@_REAL double
 ?float|#endif
 ?float|typedef @UPPER@_REAL @NAME@_real;
+!float|#ifdef @UPPER@_REAL
+!float|#error "host code of this core is for double alone"
+!float|#endif
 !float|typedef double @NAME@_real;
 
 /* Words of a packet. */
