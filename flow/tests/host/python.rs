@@ -15,7 +15,7 @@ pub fn run(cores: &[HostedCore]) -> Option<Vec<HostResult>> {
     let folder = tempfile::tempdir().expect("there is room for a folder");
     let mut program = "import numpy as np\n".to_owned();
     for core in cores {
-        write(folder.path(), &format!("{}.py", core.name), core.text(".py").as_bytes());
+        write(folder.path(), &format!("{}.py", core.name), core.text("_ip.py").as_bytes());
         let values: Vec<u8> = core.values().into_iter().flat_map(f64::to_le_bytes).collect();
         write(folder.path(), &format!("{}.in", core.name), &values);
         program.push_str(&core.with_code(|code| statements(core, code)));

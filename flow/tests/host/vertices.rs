@@ -62,7 +62,7 @@ fn compare(core: &HostedCore, [c, python]: &[Vec<String>; 2], expected: &[f64]) 
     let folder = tempfile::tempdir().expect("there is room for a folder");
     let name = &core.name;
     write(folder.path(), &format!("{name}.h"), core.text(".h").as_bytes());
-    write(folder.path(), &format!("{name}.py"), core.text(".py").as_bytes());
+    write(folder.path(), &format!("{name}.py"), core.text("_ip.py").as_bytes());
     if tools::is_installed("gcc") {
         let mut text = format!("#include <stdio.h>\n#include \"{name}.h\"\nint main(void) {{\n");
         for call in c {

@@ -152,7 +152,7 @@ mod tests {
         assert!(is_own("README.md", "<!-- Specula 0.1.0: a shading core -->\n"));
         assert!(is_own("Makefile", "# Specula 0.1.0: simulation\n"));
         assert!(is_own("teapot_host.c", "// Specula 0.1.0: makes the first packet\n"));
-        assert!(is_own("teapot.py", "# Specula 0.1.0: what a host sends\n"));
+        assert!(is_own("teapot_ip.py", "# Specula 0.1.0: what a host sends\n"));
         assert!(!is_own("mine.py", "import numpy\n") && !is_own("mine.c", "int main;\n"));
         assert!(is_own("teapot_pixels.hex", "// Specula 0.1.0: vectors\n"));
         assert!(!is_own("Makefile", "all: mine\n") && !is_own("mine.hex", "00\n"));

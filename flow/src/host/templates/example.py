@@ -1,5 +1,5 @@
 # Specula @VERSION@: makes the first packet of @NAME@_packets.hex@REGISTERS_TOO@.
-import @NAME@ as block
+import @NAME@_ip as block
 
 ?material|material = block.Material(
 ?material|@MATERIAL_VALUES@
