@@ -22,12 +22,11 @@ use specula_scene::LoadedScene;
 use specula_spec::{CoreSpec, Method};
 use specula_testbench::BenchError;
 
-use crate::arguments::{
-    CLOCK_HELP, SceneArguments, TargetArguments, method_parser, selected_methods,
-};
+use crate::arguments::{SceneArguments, method_parser, selected_methods};
 use crate::error::ToolError;
 use crate::output::{Destination, Interrupts, JOURNAL, OutputError};
 use crate::progress;
+use crate::target_arguments::{CLOCK_HELP, TargetArguments};
 use crate::verdict::Verdict;
 use result::{Clocks, Compared, sorted};
 

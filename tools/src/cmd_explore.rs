@@ -11,12 +11,11 @@ use specula_experiments::search::error_of_method;
 use specula_scene::Frame;
 use specula_spec::{Method, SpecFile};
 
-use crate::arguments::{
-    CLOCK_HELP, SceneArguments, TargetArguments, method_parser, parse_error, selected_methods,
-};
+use crate::arguments::{SceneArguments, method_parser, parse_error, selected_methods};
 use crate::clock::Clock;
 use crate::error::{NothingExplored, ToolError};
 use crate::output::{Interrupts, write_core};
+use crate::target_arguments::{CLOCK_HELP, TargetArguments};
 use crate::verdict::Verdict;
 use crate::{progress, table};
 

@@ -13,7 +13,7 @@ use crate::error::ToolError;
 use crate::job::{Job, SceneOrSpec};
 use crate::output::{Interrupts, write_core};
 use crate::verdict::Verdict;
-use crate::verilog;
+use crate::verilog::{self, Origin};
 use block::BlockArguments;
 
 const EXAMPLE: &str = "\
@@ -52,10 +52,11 @@ pub fn execute(
     stdout: &mut dyn Write,
     interrupts: &Interrupts,
 ) -> Result<Verdict, ToolError> {
-    let job = arguments.shown()?;
+    let made = arguments.core.file(&arguments.name)?;
+    let job = arguments.shown(&made)?;
     let (file, origin) = match &job {
         Some(job) => (job.file.clone(), job.origin.clone()),
-        None => arguments.core.file(&arguments.name)?,
+        None => made,
     };
     let module = specula_hdl::module_name(&file.name, &file.spec);
     let design = specula_hdl::elaborate(&file.spec, &module).map_err(BenchError::from)?;
@@ -84,11 +85,9 @@ pub fn execute(
 
 impl Arguments {
     /// The core with the scene that its bench shows, if there is to be one.
-    fn shown(&self) -> Result<Option<Job>, ToolError> {
-        if !self.block.ip {
-            return Ok(None);
-        }
-        self.core.job(self.block.vectors.as_deref(), &self.name).map(Some)
+    fn shown(&self, made: &(SpecFile, Origin)) -> Result<Option<Job>, ToolError> {
+        let BlockArguments { ip, vectors, .. } = &self.block;
+        ip.then(|| self.core.job(made.clone(), vectors.as_deref())).transpose()
     }
 
     /// Whether the given spec is the one in `folder`, which then stays as the user wrote it.

@@ -13,8 +13,7 @@ use specula_testbench::trace::Choice;
 use specula_testbench::{Bench, EngineKind, Outcome};
 
 use crate::arguments::{
-    CLOCK_HELP, CoreArguments, NameArguments, OutputArguments, SceneArguments, engine_parser,
-    parse_choice,
+    CoreArguments, NameArguments, OutputArguments, SceneArguments, engine_parser, parse_choice,
 };
 use crate::clock::Clock;
 use crate::device::Fitted;
@@ -24,6 +23,7 @@ use crate::job::Job;
 use crate::output::{Destination, Interrupts, REPORT};
 use crate::report::{self, Report};
 use crate::run::{DEFAULT_ENGINE, Run, simulate};
+use crate::target_arguments::CLOCK_HELP;
 use crate::trace_file::TraceFormat;
 use crate::verdict::Verdict;
 use crate::waveform;

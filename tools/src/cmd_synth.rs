@@ -13,7 +13,7 @@ use specula_testbench::BenchError;
 
 use crate::arguments::NameArguments;
 use crate::error::ToolError;
-use crate::job::{Job, SceneOrSpec};
+use crate::job::SceneOrSpec;
 use crate::verdict::Verdict;
 use crate::{progress, table};
 use netlist::NetlistRun;
@@ -68,8 +68,14 @@ struct Report<'a> {
 
 /// Synthesises, places, routes and prints.
 pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
-    let job = arguments.simulated()?;
-    let (file, _) = arguments.core.file(&NameArguments::default())?;
+    if arguments.simulate.is_some() {
+        Icarus::present().map_err(BenchError::from)?;
+    }
+    let made = arguments.core.file(&NameArguments::default())?;
+    let simulated = arguments.simulate.as_ref();
+    let job =
+        simulated.map(|scene| arguments.core.job(made.clone(), scene.as_deref())).transpose()?;
+    let (file, _) = made;
     let module = specula_hdl::module_name(&file.name, &file.spec);
     let design = specula_hdl::elaborate(&file.spec, &module).map_err(BenchError::from)?;
     let bar = progress::steps();
@@ -99,15 +105,6 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
     };
     write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
     Ok(if agrees { Verdict::Done } else { Verdict::Disagrees })
-}
-
-impl Arguments {
-    /// The core with the scene on which its netlist is to be simulated, if it is.
-    fn simulated(&self) -> Result<Option<Job>, ToolError> {
-        let Some(scene) = &self.simulate else { return Ok(None) };
-        Icarus::present().map_err(BenchError::from)?;
-        self.core.job(scene.as_deref(), &NameArguments::default()).map(Some)
-    }
 }
 
 /// The report for people.

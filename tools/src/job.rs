@@ -7,10 +7,9 @@ use specula_experiments::formats::{DefaultCore, NotProven};
 use specula_scene::LoadedScene;
 use specula_spec::{CoreSpec, FittedCore, SpecFile};
 
-use crate::arguments::{
-    CoreArguments, NameArguments, PART, PictureArguments, SceneArguments, TargetArguments,
-};
+use crate::arguments::{CoreArguments, NameArguments, PictureArguments, SceneArguments};
 use crate::error::{Refused, ToolError};
+use crate::target_arguments::{PART, TargetArguments};
 use crate::verilog::Origin;
 
 /// A core with its name, and a scene for it.
@@ -128,25 +127,31 @@ impl SceneOrSpec {
         }
     }
 
-    /// The core with a scene for it to shade: the one that is named, or else its own.
+    /// The core, which [`SceneOrSpec::file`] has made, with a scene for it to shade: the one that is
+    /// named, or else its own.
     ///
     /// # Errors
     /// [`ToolError::NoScene`] if the core is a file and no scene is named, and
     /// [`ToolError::Refused`] if the core cannot shade the scene.
-    pub fn job(&self, named: Option<&str>, name: &NameArguments) -> Result<Job, ToolError> {
+    pub fn job(
+        &self,
+        (file, origin): (SpecFile, Origin),
+        named: Option<&str>,
+    ) -> Result<Job, ToolError> {
+        let core = self.spec.as_deref();
         let Some(named) = named else {
-            return match &self.spec {
+            return match core {
                 Some(_) => Err(ToolError::NoScene),
-                None => Job::of_scene(&self.scene(), &self.wanted, name),
+                None => {
+                    let scene = self.scene().load()?;
+                    Ok(Job { scene, file, origin, not_faithful: None })
+                }
             };
         };
         let scene =
             SceneArguments { scene: named.to_owned(), picture: PictureArguments::default() };
-        let core = match &self.spec {
-            Some(path) => path,
-            None => Path::new(self.scene.as_deref().unwrap_or_default()),
-        };
-        Job::shading(self.file(name)?, &scene, core)
+        let core = core.unwrap_or(Path::new(self.scene.as_deref().unwrap_or_default()));
+        Job::shading((file, origin), &scene, core)
     }
 
     /// The target and the device that the core is made for.

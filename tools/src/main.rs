@@ -34,6 +34,7 @@ mod report;
 mod run;
 mod scene;
 mod table;
+mod target_arguments;
 mod trace_file;
 mod verdict;
 mod verilog;

@@ -7,10 +7,11 @@ use specula_datapath::verilog::{self, Header};
 use specula_scene::builtin_names;
 use specula_spec::{CoreSpec, SpecFile, TargetClock};
 
-use crate::arguments::{ANY_DEVICE, CoreArguments, NameArguments, SceneArguments};
+use crate::arguments::{CoreArguments, NameArguments, SceneArguments};
 use crate::made_for::MadeFor;
 use crate::ports::{Port, inputs};
 use crate::table;
+use crate::target_arguments::ANY_DEVICE;
 
 /// The Verilog of a core as text.
 pub fn text(origin: &Origin, spec: &CoreSpec, design: &Design) -> String {

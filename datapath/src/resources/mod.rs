@@ -40,8 +40,7 @@ impl Resources {
     /// What a design takes of a target's devices. A design that was made for no target takes the
     /// blocks that its products are cut into.
     pub fn of(design: &Design, target: &Target) -> Resources {
-        let block = design.to_block();
-        let counted = Counted::of(&block);
+        let counted = Counted::of(&design.to_block());
         let products = products::Products::of(design, target);
         let wiring = Wiring::of(design);
         let gates = Gates::of(&wiring, target.logic.carry);
@@ -60,9 +59,7 @@ impl Resources {
             logic_cells,
             blocks: products.blocks,
             memories: match &target.table {
-                Some(ram) if target.logic.memory == 0 => {
-                    Counted::delay_memories(&block, ram.widest.into())
-                }
+                Some(ram) if target.logic.memory == 0 => counted.memories(ram.widest.into()),
                 _ => 0,
             },
         }

@@ -65,6 +65,9 @@ impl Logic {
     pub fn of_delay_lines(&self, counted: &Counted) -> u64 {
         // A counter has a sum, and a table that tells its last number.
         let counters = counted.counters * (4 + 1);
-        self.memory * counted.memories + counters
+        self.memory * counted.memories(MEMORY_BITS) + counters
     }
 }
+
+/// Bits of a word of the memory that look-up tables make.
+const MEMORY_BITS: u64 = 4;

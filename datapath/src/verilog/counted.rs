@@ -9,28 +9,24 @@ use crate::block::{AtomKind, Module};
 use crate::design::Register;
 
 /// Cells of a core.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Counted {
     /// Flip-flops, those inside blocks apart.
     pub flip_flops: u64,
     /// Multiplier blocks.
     pub blocks: u64,
-    /// Memories of four bits that delay lines take.
-    pub memories: u64,
+    /// Widths in bits of the delay lines that are memories.
+    pub delay_memories: Vec<u64>,
     /// Counters of their addresses.
     pub counters: u64,
 }
-
-/// Bits of a word of the memory that look-up tables make.
-const MEMORY_BITS: u64 = 4;
 
 impl Counted {
     /// The cells of a core whose long delays are memories. Counters of memories that are equally
     /// long are one: they begin alike and count alike, which synthesis finds.
     pub fn of(core: &Module) -> Counted {
         let mut lengths = BTreeSet::new();
-        let memories = Counted::delay_memories(core, MEMORY_BITS);
-        let mut counted = Counted { memories, ..Counted::default() };
+        let mut counted = Counted::default();
         counted.add(core, &mut lengths);
         counted.counters = lengths.len() as u64;
         let counters = lengths.into_iter().map(|clocks: usize| u64::from((clocks - 2).ilog2() + 1));
@@ -38,17 +34,9 @@ impl Counted {
         counted
     }
 
-    /// Memories with words of so many bits that the delay lines of a core take which are memories.
-    pub fn delay_memories(core: &Module, word_bits: u64) -> u64 {
-        let delays = Delays::of(core);
-        let in_memory = delays
-            .lines
-            .iter()
-            .filter(|line| line.storage(LongDelays::Memories) == Storage::Memory);
-        let width = |wire: u32| u64::from(core.wires()[wire as usize].wire_type().width);
-        let own: u64 = in_memory.map(|line| width(line.input).div_ceil(word_bits)).sum();
-        let inside = core.children().iter();
-        own + inside.map(|child| Counted::delay_memories(&child.module, word_bits)).sum::<u64>()
+    /// Memories with words of so many bits that delay lines take.
+    pub fn memories(&self, word_bits: u64) -> u64 {
+        self.delay_memories.iter().map(|width| width.div_ceil(word_bits)).sum()
     }
 
     fn add(&mut self, module: &Module, lengths: &mut BTreeSet<usize>) {
@@ -58,6 +46,7 @@ impl Counted {
         for line in &delays.lines {
             if line.storage(LongDelays::Memories) == Storage::Memory {
                 lengths.insert(line.clocks());
+                self.delay_memories.push(width(line.input));
                 in_memory.extend(line.stages[..line.clocks() - 1].iter().copied());
             }
         }

@@ -7,10 +7,10 @@ use specula_experiments::tradeoff::{
 };
 use specula_testbench::ErrorFigures;
 
-use crate::arguments::{ANY_DEVICE, TargetArguments};
 use crate::clock::Clock;
 use crate::error::OtherTarget;
 use crate::plot::PlotPoint;
+use crate::target_arguments::TargetArguments;
 
 /// The result of a comparison.
 pub struct Compared {
@@ -56,9 +56,8 @@ impl Clocks {
     /// # Errors
     /// [`OtherTarget`] where target and device do not belong together.
     pub fn of(made_for: &TargetArguments) -> Result<Clocks, OtherTarget> {
-        let target = made_for.target()?.filter(|target| *target != ANY_DEVICE);
         let all = || Clocks::All(Clock::of(None, made_for.given_for_any_device()));
-        Ok(target.map_or_else(all, |target| Clocks::Predicted(target.to_owned())))
+        Ok(made_for.wanted()?.map_or_else(all, |wanted| Clocks::Predicted(wanted.target.name)))
     }
 
     /// The clocks as text.

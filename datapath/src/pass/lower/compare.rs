@@ -7,16 +7,14 @@ use crate::graph::Value;
 impl Lowering<'_> {
     /// Whether the first value is less than the second.
     pub(super) fn comparison(&mut self, value: Value, [a, b]: [NodeId; 2]) -> NodeId {
-        // The sign of one operand, or any bit of the other.
         let is_zero = |id| self.constant(id) == Some(0);
-        let with_zero = is_zero(b) || is_zero(a) && self.range(b).low >= 0;
         let at = place(&value);
-        if is_zero(a) && self.range(b).low >= 0 && self.range(b).width() > TWO_LEVELS {
-            let parts = [self.low(at, b, TWO_LEVELS), self.high(at, b, TWO_LEVELS)];
-            let [low, high] = parts.map(|part| self.any(at, a, part));
-            return self.push(Value { op: Op::Or(low, high), ..value });
+        if is_zero(a) && self.range(b).low >= 0 {
+            let op = self.any(at, a, b);
+            return self.push(Value { op, ..value });
         }
-        if with_zero || self.range(a).width().max(self.range(b).width()) <= NARROW {
+        // Of a value less than zero it is the sign alone.
+        if is_zero(b) || self.range(a).width().max(self.range(b).width()) <= NARROW {
             return self.push(value);
         }
         // The sign has to be right for whatever bits stand there while no pixel does, so the
@@ -29,18 +27,18 @@ impl Lowering<'_> {
         let zero = self.integer(at, 0);
         self.push(Value { op: Op::LessThan(difference, zero), ..value })
     }
-}
 
-impl Lowering<'_> {
     /// Whether any bit of a value without sign is 1, in parts of a few look-up tables.
-    fn any(&mut self, at: Place, zero: NodeId, id: NodeId) -> NodeId {
-        let range = Range::new(0, 1);
+    fn any(&mut self, at: Place, zero: NodeId, id: NodeId) -> Op {
         if self.range(id).width() <= TWO_LEVELS {
-            return self.emit(at, Op::LessThan(zero, id), range, "any");
+            return Op::LessThan(zero, id);
         }
         let parts = [self.low(at, id, TWO_LEVELS), self.high(at, id, TWO_LEVELS)];
-        let [low, high] = parts.map(|part| self.any(at, zero, part));
-        self.emit(at, Op::Or(low, high), range, "any")
+        let [low, high] = parts.map(|part| {
+            let op = self.any(at, zero, part);
+            self.emit(at, op, Range::new(0, 1), "any")
+        });
+        Op::Or(low, high)
     }
 
     /// Every value of as many bits as a value has; a constant alone.
