@@ -65,7 +65,8 @@ pub fn succeed(command: &mut Command) {
 
 /// What a program has written: register writes, and words.
 pub fn read(core: &HostedCore, bytes: &[u8]) -> HostResult {
-    let writes = core.with_code(|code| code.writes());
+    let stream = core.stream();
+    let writes = HostCode::new(&stream).writes();
     let (registers, words) = bytes.split_at(8 * writes);
     let number = |bytes: &[u8]| {
         bytes.iter().rev().fold(0_u64, |number, &byte| number << 8 | u64::from(byte))
@@ -114,9 +115,12 @@ fn function(core: &HostedCore, code: &HostCode) -> String {
     }
     let _ = writeln!(text, "  for (i = 0; i < {}; ++i) {{", core.spans());
     text.push_str("  span.pixels = (uint32_t)next(in);\n  span.last = next(in) > 0;\n");
-    let position = ["x", "y"].map(|axis| match code.has_positions() {
-        true => format!("  span.{axis} = (uint32_t)next(in);\n"),
-        false => "  (void)next(in);\n".to_owned(),
+    let position = ["x", "y"].map(|axis| {
+        if code.has_positions() {
+            format!("  span.{axis} = (uint32_t)next(in);\n")
+        } else {
+            "  (void)next(in);\n".to_owned()
+        }
     });
     text.push_str(&position.concat());
     for source in code.span_sources() {

@@ -75,7 +75,8 @@ impl HostedCore {
         Some(HostedCore { name, spec, design, shape, frame })
     }
 
-    fn stream(&self) -> StreamCore<'_> {
+    /// The block of the core.
+    pub fn stream(&self) -> StreamCore<'_> {
         StreamCore::new(&self.spec, &self.design, self.shape, "")
     }
 
@@ -140,7 +141,7 @@ impl HostedCore {
 
     /// Whether its host code may compute with float.
     pub fn has_float(&self) -> bool {
-        self.with_code(|code| code.has_float())
+        HostCode::new(&self.stream()).has_float()
     }
 
     /// What Rust's set-up gives.

@@ -30,70 +30,48 @@ pub fn run(cores: &[HostedCore]) -> Option<Vec<HostResult>> {
     Some(cores.iter().map(result).collect())
 }
 
+/// Statements that run the code of a core.
 fn statements(core: &HostedCore, code: &HostCode) -> String {
     let name = &core.name;
     let mut text = format!("import {name} as block\nvalues = np.fromfile(\"{name}.in\")\n");
-    let frame = code.frame_sources();
-    let mut place = 0;
-    let mut of_frame = |source: &&&Source| {
-        let value = match length(source) {
-            1 => format!("values[{place}]"),
-            length => format!("values[{place}:{}]", place + length),
-        };
-        place += length(source);
-        format!("{}={value}", source.name)
-    };
-    let [own, of_material] = [false, true].map(|is_material| {
-        let wanted = frame.iter().filter(|source| is_of_material(source) == is_material);
-        wanted.collect::<Vec<_>>().iter().map(&mut of_frame).collect::<Vec<_>>().join(", ")
-    });
+    let (frame, spans) = (code.frame_sources(), code.span_sources());
+    let length_of =
+        |sources: &[&Source]| sources.iter().map(|source| length(source)).sum::<usize>();
     if code.has_frame() {
-        let material = match of_material.is_empty() {
-            true => String::new(),
-            false => format!(", material=block.Material({of_material})"),
-        };
-        let _ =
-            writeln!(text, "frame = block.Frame({})", (own + &material).trim_start_matches(", "));
+        let _ = writeln!(text, "frame = block.Frame({})", arguments(&frame, "values[", 0));
     }
-    let frame_length = place;
-    let sources = code.span_sources();
-    let width = 4 + sources.iter().map(|source| length(source)).sum::<usize>();
-    let _ = writeln!(text, "rows = values[{frame_length}:].reshape(-1, {width})");
-    let mut place = 4;
-    let mut of_span = |source: &&&Source| {
-        let value = match length(source) {
-            1 => format!("rows[:, {place}]"),
-            length => format!("rows[:, {place}:{}]", place + length),
-        };
-        place += length(source);
-        format!("{}={value}", source.name)
-    };
-    let [own, of_material] = [false, true].map(|is_material| {
-        let wanted = sources.iter().filter(|source| is_of_material(source) == is_material);
-        wanted.collect::<Vec<_>>().iter().map(&mut of_span).collect::<Vec<_>>().join(", ")
-    });
-    let mut arguments = "pixels=rows[:, 0].astype(int), last=rows[:, 1] > 0".to_owned();
+    let (before, width) = (length_of(&frame), 4 + length_of(&spans));
+    let _ = writeln!(text, "rows = values[{before}:].reshape(-1, {width})");
+    let mut fields = "pixels=rows[:, 0].astype(int), last=rows[:, 1] > 0, ".to_owned();
     if code.has_positions() {
-        arguments.push_str(", x=rows[:, 2].astype(int), y=rows[:, 3].astype(int)");
+        fields.push_str("x=rows[:, 2].astype(int), y=rows[:, 3].astype(int), ");
     }
-    for (argument, is_there) in [
-        (own.clone(), !own.is_empty()),
-        (format!("material=block.Material({of_material})"), !of_material.is_empty()),
-    ] {
-        if is_there {
-            let _ = write!(arguments, ", {argument}");
-        }
-    }
+    fields.push_str(&arguments(&spans, "rows[:, ", 4));
     let frame = if code.packets_need_the_frame() { "frame, " } else { "" };
-    let writes = match code.writes() {
-        0 => "[]",
-        _ => "block.registers(frame)",
-    };
+    let writes = if code.writes() > 0 { "block.registers(frame)" } else { "[]" };
     let _ = writeln!(
         text,
         "with open(\"{name}.out\", \"wb\") as out:\n    out.write(np.array({writes}, \
-         np.uint32).tobytes())\n    out.write(block.packets({frame}block.Spans({arguments}))\
+         np.uint32).tobytes())\n    out.write(block.packets({frame}block.Spans({fields}))\
          .tobytes())"
     );
     text
+}
+
+/// Values as arguments, from a place of an array on; those of a material as one argument.
+fn arguments(sources: &[&Source], array: &str, mut place: usize) -> String {
+    let (mut own, mut of_material) = (String::new(), String::new());
+    for source in sources {
+        let value = match length(source) {
+            1 => format!("{array}{place}]"),
+            length => format!("{array}{place}:{}]", place + length),
+        };
+        place += length(source);
+        let arguments = if is_of_material(source) { &mut of_material } else { &mut own };
+        let _ = write!(arguments, "{}={value}, ", source.name);
+    }
+    if !of_material.is_empty() {
+        let _ = write!(own, "material=block.Material({of_material})");
+    }
+    own
 }
