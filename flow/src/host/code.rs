@@ -58,7 +58,7 @@ impl<'a> HostCode<'a> {
         let sent = |places: Vec<(usize, Place)>| {
             let names: Vec<&str> =
                 places.iter().map(|(number, _)| ports[*number].name.as_str()).collect();
-            // Tests look at every option of every method, with lights and eye at places and without.
+            // Tests look at every option of every method, with lights and eye at places, too.
             let part = program.part(&names).expect("there is a statement for every input");
             let input = |((number, place), given): ((usize, Place), &Given)| SentInput {
                 port: ports[number].clone(),
@@ -141,8 +141,8 @@ impl<'a> HostCode<'a> {
         self.packet.part.sources.iter().any(needs)
     }
 
-    /// Whether it may be computed with float: not where directions are made of nearly equal vectors,
-    /// or a choice made for the whole span.
+    /// Whether it may be computed with float: not where directions are made of nearly equal
+    /// vectors, or a choice made for the whole span.
     pub fn has_float(&self) -> bool {
         match &self.core.spec.method {
             MethodSpec::Slerp(_) => false,

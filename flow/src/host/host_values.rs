@@ -5,7 +5,7 @@ use specula_spec::{CoreSpec, MethodSpec};
 
 use super::program::{Holder, Source};
 
-/// The numbers of a value: one, or three of a vector or a colour. None for a value that is not known.
+/// The numbers of a value: one, or three of a vector or a colour. None for one that is not known.
 pub fn host_value(
     spec: &CoreSpec,
     frame: &Frame,

@@ -1,8 +1,8 @@
 //! Groups of inputs that several methods have: what is linear or quadratic in the pixel number, by
 //! start value and differences.
 
-/// The statements that a group stands for, a line each: `WORD NAME = ARGUMENTS`. None if there is no
-/// such group.
+/// The statements that a group stands for, a line each: `WORD NAME = ARGUMENTS`. None if
+/// there is no such group.
 ///
 /// - `linear NAME = m, k, u`: (m + k i).u;
 /// - `squared NAME = m, k`: the squared length of m + k i;

@@ -25,8 +25,8 @@ pub use program::{Given, Holder, Kind, Number, Part, Source};
 
 use crate::stream::{File, StreamCore};
 
-/// The host code of a block: a header for C, a module for Python, and an example of each. The module
-/// is called as the block is, since a core may have the name of a keyword or of another module.
+/// The host code of a block: a header for C, a module for Python, and an example of each. The
+/// module is called as the block is, since a core may have the name of a keyword or of another module.
 pub fn files(core: &StreamCore, example: &ExampleSpan) -> Vec<File> {
     let code = HostCode::new(core);
     let name = core.name();

@@ -6,8 +6,8 @@
 //!
 //! - `span vector NAME: ABOUT`, a value that the host has: of a span, a `frame` or a `material`; a
 //!   `vector`, a `colour`, a `real` or a `whole` number; statements call it `span_NAME`;
-//! - `vector NAME = EXPRESSION` or `real NAME = EXPRESSION`. Expressions are C's and Python's alike,
-//!   and a function is `@NAME(...)`, which both libraries of functions have;
+//! - `vector NAME = EXPRESSION` or `real NAME = EXPRESSION`. Expressions are C's and Python's
+//!   alike, and a function is `@NAME(...)`, which both libraries of functions have;
 //! - `difference NAME = FROM, TO`, of two values of any of both kinds, each rounded for itself;
 //! - what `macros` expands.
 //!

@@ -3,8 +3,8 @@
 /// The longest line of generated code that is broken at blanks.
 const LONGEST_LINE: usize = 100;
 
-/// A text as a comment: the first line begins with `first`, the others with `next`, and the last ends
-/// with `end`.
+/// A text as a comment: the first line begins with `first`, the others with `next`, and the last
+/// ends with `end`.
 pub fn commented(text: &str, first: &str, next: &str, end: &str) -> String {
     let mut lines = vec![first.to_owned()];
     for word in text.split_whitespace() {
