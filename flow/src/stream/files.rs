@@ -1,4 +1,6 @@
 //! The files of a block.
+use crate::host::HostCode;
+
 use super::c_header::c_header;
 use super::constraints::constraints;
 use super::handshake::Handshake;
@@ -78,9 +80,25 @@ fn values(core: &StreamCore, vectors: &Vectors, frames: usize, command: &str) ->
                 clock, in which\n// inputs that hold for a frame are taken over.";
     let regs = "\n//\n// What is written to an input waits for the next frame: the core sees it from the \
                 first span on whose\n// packet comes whole after it, if that begins a frame.";
+    host_code(core, &mut values);
     values.set("FRAME_ABOUT", if registers { axis } else { "" });
     values.set("REGS_ABOUT", if registers { regs } else { "" });
     values
+}
+
+/// How the host's code is called.
+fn host_code(core: &StreamCore, values: &mut Values) {
+    let (name, code) = (core.name(), HostCode::new(core));
+    let needs_frame = code.packets_need_the_frame();
+    values.set("UPPER", name.to_uppercase());
+    values.set("AND_A_FRAME", if code.has_frame() { " and of a frame" } else { "" });
+    values.set("FRAME_ARGUMENT", if needs_frame { "&frame, " } else { "" });
+    values.set("PYTHON_FRAME_ARGUMENT", if needs_frame { "frame, " } else { "" });
+    let registers = core.has_frame_inputs();
+    let before = if registers { ", and the registers before it" } else { "" };
+    values.set("HOST_REGISTERS", before);
+    let writes = format!("grep -v '^//' {name}_registers.hex; ");
+    values.set("HOST_WRITES", if registers { writes } else { String::new() });
 }
 
 /// The program's version as Vivado counts versions of an IP.

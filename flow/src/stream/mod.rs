@@ -15,7 +15,7 @@ mod register_map;
 mod register_table;
 mod synthesis;
 mod system_rdl;
-mod template;
+pub(crate) mod template;
 mod vectors;
 mod waveform;
 

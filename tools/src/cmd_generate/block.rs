@@ -4,6 +4,7 @@ use std::convert::Infallible;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use specula_datapath::Design;
+use specula_flow::host::{self, ExampleSpan};
 use specula_flow::stream::{self, File, FrameVectors, StreamCore, StreamShape};
 use specula_spec::{Positions, WordWidth};
 use specula_testbench::{FrameSpans, expected_codes};
@@ -45,7 +46,12 @@ impl BlockArguments {
     pub fn files(&self, job: &Job, design: &Design) -> Result<Vec<(String, String)>, ToolError> {
         let core = StreamCore::new(job.spec(), design, self.shape(), &job.file.text());
         let command = format!("{} --ip{}", job.origin.command, self.in_words());
-        let files = stream::files(&core, &[self.frame(job)?], &command);
+        let vectors = self.frame(job)?;
+        let frame = &job.scene.frame;
+        let is_last = vectors.spans.len() == 1;
+        let example = ExampleSpan { frame, span: &frame.spans[0], is_last };
+        let mut files = stream::files(&core, &[vectors], &command);
+        files.extend(host::files(&core, &example));
         let page = data_sheet(core.name(), &files);
         Ok(files.into_iter().chain([page]).map(|file| (file.name, file.text)).collect())
     }

@@ -84,7 +84,7 @@ fn listed_files(report: &Path) -> Option<BTreeSet<String>> {
 const COMMENTS: [(&[&str], &str); 3] = [
     (&[".lpf", ".xdc", ".sdc", ".tcl", ".py"], "#"),
     (&[".md", ".html", ".svg"], "<!--"),
-    (&[".v", ".h", ".rdl", ".hex"], "//"),
+    (&[".v", ".h", ".c", ".rdl", ".hex"], "//"),
 ];
 
 /// Whether a file begins as a file does that Specula writes without a report.
@@ -96,6 +96,7 @@ fn begins_like_ours(name: &str, path: &Path) -> bool {
         _ if is_journal(name) => read().is_ok_and(|bytes| Journal::has_written(&bytes)),
         "Makefile" => begins("# Specula "),
         _ if name.ends_with(".core") => begins("CAPI=2:\n# Specula "),
+        _ if name.ends_with(".sh") => begins("#!/bin/sh\n# Specula "),
         _ => {
             let comment =
                 COMMENTS.iter().find(|(ends, _)| ends.iter().any(|end| name.ends_with(end)));
@@ -155,7 +156,11 @@ mod tests {
         assert!(!is_own("report.md", "# teapot\n"));
         assert!(is_own("README.md", "<!-- Specula 0.1.0: a shading core -->\n"));
         assert!(is_own("Makefile", "# Specula 0.1.0: simulation\n"));
+        assert!(is_own("teapot_host.c", "// Specula 0.1.0: makes the first packet\n"));
+        assert!(is_own("teapot_ip.py", "# Specula 0.1.0: what a host sends\n"));
+        assert!(!is_own("mine.py", "import numpy\n") && !is_own("mine.c", "int main;\n"));
         assert!(is_own("teapot_pixels.hex", "// Specula 0.1.0: vectors\n"));
+        assert!(is_own("prove.sh", "#!/bin/sh\n# Specula 0.1.0: proves\n"));
         assert!(is_own("test_teapot.py", "# Specula 0.1.0: a test\n"));
         assert!(is_own("teapot.html", "<!-- Specula 0.1.0: a data sheet -->\n<!DOCTYPE html>\n"));
         assert!(!is_own("mine.py", "import cocotb\n") && !is_own("mine.svg", "<svg/>\n"));
