@@ -22,8 +22,9 @@ core can be made again. Other files in DIR stay. `-o -` writes only the Verilog,
 output.
 
 With `--ip` the folder has a block for a design besides: NAME_ip.v with AXI4-Stream for packets and \
-pixels and AXI4-Lite for registers, its packet and registers described, a self-checking bench with \
-the scene's spans and expected pixels, a Makefile, and README.md, which says how to begin.
+pixels and AXI4-Lite for registers, a data sheet, a self-checking bench and a cocotb test with the \
+scene's spans and expected pixels, files for FuseSoC, Vivado, LiteX and make, and README.md, which \
+says how to begin.
 
 Examples:
   specula generate teapot --method hybrid --name shader -o rtl

@@ -1,7 +1,8 @@
 //! Waveforms as pictures and text: windows of VCD and FST files, Specula's or another tool's.
 //!
 //! A [`DumpView`] opens a dump and makes a [`Figure`] of some signals and a window; [`text`],
-//! [`svg`] and [`png`] draw figures and know nothing of dumps.
+//! [`svg`] and [`png`] draw figures and know nothing of dumps, so a figure may show other values
+//! too.
 mod catch_panic;
 mod clock;
 mod contents;
@@ -26,9 +27,11 @@ mod view;
 mod warnings;
 
 pub use error::WaveError;
-pub use figure::Figure;
+pub use figure::{Axis, Figure, Group, Shape, SignalRow};
+pub use segments::Segment;
 pub use selection::Selection;
 pub use text::{columns_beside, most_columns, text};
+pub use value::{Notation, Value};
 pub use view::{DumpView, WindowRequest};
 
 use image::RgbImage;

@@ -5,7 +5,7 @@ use specula_scene::limits::MOST_LIGHTS;
 use specula_scene::{Frame, Illumination};
 
 /// A point of a surface, and the light that reaches it.
-pub(super) struct LitPoint {
+pub struct LitPoint {
     /// N, a unit vector; 0 where the surface has none.
     pub normal: DVec3,
     /// V, a unit vector towards the eye; `None` for an eye at that very point.

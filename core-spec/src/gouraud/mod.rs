@@ -14,6 +14,7 @@ use specula_datapath::Format;
 use crate::formats::formats;
 
 pub use inputs::{GouraudInputs, GouraudLight, Intensity};
+pub use lit_point::LitPoint;
 
 /// Where intensities are computed, and what lies between.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

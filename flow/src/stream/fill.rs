@@ -23,7 +23,7 @@ fn streams(core: &StreamCore, values: &mut Values) {
     let positions = core.layout.positions == Positions::Sent;
     let header_bits = header_bits(core);
     values.set("NAME", core.name());
-    values.set("LAYOUT", format!("{}_packet.md", core.name()));
+    values.set("LAYOUT", format!("{}.md", core.name()));
     values.set("WORD", word);
     values.set("WORD_TOP", word - 1);
     values.set("WORDS", words);
@@ -32,6 +32,7 @@ fn streams(core: &StreamCore, values: &mut Values) {
     values.set("HEADER_BITS", header_bits);
     values.set("LONGEST", core.spec.parameters.longest_span);
     values.set("PIXEL_TOP", core.pixel_bits() - 1);
+    values.set("PIXEL_BITS", core.pixel_bits());
     values.set("TAG_BITS", core.tag_bits());
     values.set("TAG_TOP", core.tag_bits() - 1);
     values.set("LOG2_DEPTH", core.log2_depth());

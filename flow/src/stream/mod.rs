@@ -4,20 +4,31 @@
 //! The texts are templates written by hand (`templates/`), in which a core's widths, ports and
 //! constants are filled in.
 mod bench;
+mod c_header;
+mod constraints;
+mod data_sheet;
 mod files;
 mod fill;
 mod formal;
+mod handshake;
+mod packet_table;
 mod register_map;
-mod template;
+mod register_table;
+mod synthesis;
+mod system_rdl;
+pub(crate) mod template;
 mod vectors;
+mod waveform;
 
 use specula_datapath::Design;
 use specula_datapath::design::ScopeId;
 use specula_spec::{CoreSpec, Hold, PacketLayout, Positions, WordWidth};
 
 pub use files::{File, files};
+pub use handshake::Handshake;
 pub use register_map::{FrameInput, Register, register_map};
 pub use vectors::{FrameVectors, SpanVector, Vectors};
+pub use waveform::{Row, Window};
 
 /// The shape of a core's streams.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

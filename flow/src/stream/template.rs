@@ -22,12 +22,16 @@ impl Values {
         self.flags.insert(name, holds);
     }
 
-    /// The text of a template. Of several blank lines in a row one is left.
+    /// The text of a template. Of several blank lines in a row one is left, unless the template has
+    /// them so.
     pub fn fill(&self, template: &str) -> String {
         let mut text = String::new();
-        for line in template.lines().filter_map(|line| self.kept(line)) {
-            let filled = self.filled(line);
-            if !(filled.trim().is_empty() && text.ends_with("\n\n")) {
+        let mut before = "";
+        for line in template.lines() {
+            let is_meant = line.is_empty() && before.is_empty();
+            before = line;
+            let Some(filled) = self.kept(line).map(|line| self.filled(line)) else { continue };
+            if is_meant || !(filled.trim().is_empty() && text.ends_with("\n\n")) {
                 text.push_str(filled.trim_end());
                 text.push('\n');
             }
@@ -67,7 +71,7 @@ mod tests {
         values.set("AB", 2);
         values.flag("x", true);
         values.flag("y", false);
-        let template = "@A@ @AB@ @C@\n?x|  in\n!x|out\n?y|out\n!y|in @A@\n\n?y|\n\nend\n";
-        assert_eq!(values.fill(template), "one 2 @C@\n  in\nin one\n\nend\n");
+        let template = "@A@ @AB@ @C@\n?x|  in\n!x|out\n?y|out\n!y|in @A@\n\n?y|\n\nend\n\n\n";
+        assert_eq!(values.fill(template), "one 2 @C@\n  in\nin one\n\nend\n\n\n");
     }
 }

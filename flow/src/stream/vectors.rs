@@ -91,18 +91,14 @@ impl<'a> Vectors<'a> {
     pub fn pixels(&self) -> String {
         let bits = self.core.pixel_bits();
         let digits = (bits as usize + 2).div_ceil(4);
-        let with_positions = self.core.layout.positions == Positions::Sent;
         let mut text =
             self.head("pixels: tuser, tlast, row and column where they are sent, b, g, r");
         for frame in self.frames {
             for (number, span) in frame.spans.iter().enumerate() {
-                let [x, y] = span.header.position.map(u64::from);
-                for (i, &[red, green, blue]) in (0_u64..).zip(&span.codes) {
-                    let colour = u64::from(u32::from_le_bytes([red, green, blue, 0]));
-                    let position = if with_positions { (x + i) << 24 | y << 40 } else { 0 };
-                    let ends = u64::from(i as usize + 1 == span.codes.len());
+                for (i, pixel) in self.core.pixel_words(span).into_iter().enumerate() {
+                    let ends = u64::from(i + 1 == span.codes.len());
                     let begins = u64::from(number == 0 && i == 0);
-                    let line = colour | position | ends << bits | begins << (bits + 1);
+                    let line = pixel | ends << bits | begins << (bits + 1);
                     let _ = writeln!(text, "{line:0digits$x}");
                 }
             }
@@ -134,5 +130,20 @@ impl<'a> Vectors<'a> {
     fn head(&self, what: &str) -> String {
         let (version, name) = (env!("CARGO_PKG_VERSION"), self.core.name());
         format!("// Specula {version}: vectors of {name}_ip. {what}.\n")
+    }
+}
+
+impl StreamCore<'_> {
+    /// The pixels of a span as they stand in the stream.
+    pub(super) fn pixel_words(&self, span: &SpanVector) -> Vec<u64> {
+        let [x, y] = span.header.position.map(u64::from);
+        let pixel = |(i, &[red, green, blue]): (u64, &[u8; 3])| {
+            let colour = u64::from(u32::from_le_bytes([red, green, blue, 0]));
+            match self.layout.positions {
+                Positions::Absent => colour,
+                Positions::Sent => colour | (x + i) << 24 | y << 40,
+            }
+        };
+        (0..).zip(&span.codes).map(pixel).collect()
     }
 }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use specula_fixtures::few_spans;
-use specula_flow::stream::{FrameVectors, StreamCore, StreamShape, files};
+use specula_flow::stream::{FrameVectors, Handshake, StreamCore, StreamShape, files};
 use specula_scene::{Frame, Needs};
 use specula_spec::{CoreOptions, CoreSpec, Method, Positions, SpecFile, WordWidth};
 use specula_testbench::{FrameSpans, expected_codes};
@@ -15,6 +15,8 @@ pub struct Block {
     folder: TempDir,
     pub words_a_packet: u32,
     pub latency: u32,
+    /// What the data sheet draws.
+    pub handshake: Handshake,
 }
 
 /// Every shape of streams.
@@ -71,12 +73,33 @@ impl Block {
         for file in files(&core, &vectors, "specula generate") {
             written(&file.name, &file.text);
         }
-        Block { folder, words_a_packet: core.words(), latency: design.latency() }
+        let handshake = Handshake::new(&core, &vectors).expect("there is a span");
+        Block { folder, words_a_packet: core.words(), latency: design.latency(), handshake }
     }
 
     /// The path of a file.
     pub fn path(&self, name: &str) -> PathBuf {
         self.folder.path().join(name)
+    }
+
+    /// The names of all files.
+    pub fn names(&self) -> Vec<String> {
+        let entries = fs::read_dir(self.folder.path()).expect("the folder is there");
+        let name = |entry: std::io::Result<fs::DirEntry>| {
+            entry.expect("it can be read").file_name().to_string_lossy().into_owned()
+        };
+        entries.map(name).collect()
+    }
+
+    /// Changes the lowest bit of an expected pixel.
+    pub fn spoil_pixel(&self, number: usize) {
+        let path = self.path("shader_pixels.hex");
+        let text = fs::read_to_string(&path).expect("the file is there");
+        let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+        let line = &mut lines[1 + number];
+        let value = u64::from_str_radix(line, 16).expect("it is a number");
+        *line = format!("{:0width$x}", value ^ 1, width = line.len());
+        fs::write(path, lines.join("\n")).expect("it can be written");
     }
 
     /// Runs `make`, which has to succeed, and gives what it prints.

@@ -1,7 +1,11 @@
 //! Cores with streams and registers around them, as simulators run them from the emitted files.
 mod block;
+mod data_sheet;
+mod fusesoc;
+mod handshake;
 mod layout;
 mod malformed;
+mod packages;
 mod proof;
 
 use block::{Block, core, frames, shapes};

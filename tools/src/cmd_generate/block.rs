@@ -1,12 +1,16 @@
 //! `--ip`: the core as a block for a design, with streams, registers, vectors and a bench.
+use std::convert::Infallible;
+
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use specula_datapath::Design;
-use specula_flow::stream::{self, FrameVectors, StreamCore, StreamShape};
+use specula_flow::host::{self, ExampleSpan};
+use specula_flow::stream::{self, File, FrameVectors, StreamCore, StreamShape};
 use specula_spec::{Positions, WordWidth};
 use specula_testbench::{FrameSpans, expected_codes};
 
 use crate::error::ToolError;
+use crate::html::{self, ReportFiles};
 use crate::job::Job;
 
 /// Arguments of a block.
@@ -42,8 +46,14 @@ impl BlockArguments {
     pub fn files(&self, job: &Job, design: &Design) -> Result<Vec<(String, String)>, ToolError> {
         let core = StreamCore::new(job.spec(), design, self.shape(), &job.file.text());
         let command = format!("{} --ip{}", job.origin.command, self.in_words());
-        let files = stream::files(&core, &[self.frame(job)?], &command);
-        Ok(files.into_iter().map(|file| (file.name, file.text)).collect())
+        let vectors = self.frame(job)?;
+        let frame = &job.scene.frame;
+        let is_last = vectors.spans.len() == 1;
+        let example = ExampleSpan { frame, span: &frame.spans[0], is_last };
+        let mut files = stream::files(&core, &[vectors], &command);
+        files.extend(host::files(&core, &example));
+        let page = data_sheet(core.name(), &files);
+        Ok(files.into_iter().chain([page]).map(|file| (file.name, file.text)).collect())
     }
 
     fn shape(&self) -> StreamShape {
@@ -70,5 +80,28 @@ impl BlockArguments {
         }
         let codes = expected_codes(job.spec(), &spans, count)?;
         Ok(FrameVectors::new(&frame.spans[..count], &spans, &codes))
+    }
+}
+
+/// The data sheet for browsers, with its drawings embedded.
+fn data_sheet(core: &str, files: &[File]) -> File {
+    let markdown = files.iter().find(|file| file.name == format!("{core}.md"));
+    let text = markdown.map_or("", |file| &file.text);
+    // The comment in its first line tells whose file it is, which the page does itself.
+    let (about, text) = text.split_once('\n').unwrap_or_default();
+    let Ok(body) = html::render(text, &InMemory(files));
+    let page = html::page(&format!("{core}_ip"), &body);
+    File { name: format!("{core}.html"), text: format!("{about}\n{page}") }
+}
+
+/// Files that have not been written yet.
+struct InMemory<'a>(&'a [File]);
+
+impl ReportFiles for InMemory<'_> {
+    type Error = Infallible;
+
+    fn content(&self, name: &str) -> Result<Option<Vec<u8>>, Infallible> {
+        let file = self.0.iter().find(|file| file.name == name);
+        Ok(file.map(|file| file.text.clone().into_bytes()))
     }
 }

@@ -1,24 +1,26 @@
 //! Renders Markdown as HTML, with pictures embedded.
-use std::fs;
-use std::io;
-use std::path::PathBuf;
-
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html};
 
 /// The files next to a report; those that it shows are embedded.
 pub trait ReportFiles {
-    /// The path of the file `name`, if it exists.
-    fn file(&self, name: &str) -> Option<PathBuf>;
+    /// Why a file cannot be read.
+    type Error;
+
+    /// The content of the file `name`; `None` if there is no such file.
+    ///
+    /// # Errors
+    /// If it cannot be read.
+    fn content(&self, name: &str) -> Result<Option<Vec<u8>>, Self::Error>;
 }
 
 /// Renders a report's Markdown as HTML. Bitmaps become data, drawings become elements of the page.
 /// Links to files next to it are removed, since the page stands alone.
 ///
 /// # Errors
-/// The system's error if a file cannot be read.
-pub fn render(markdown: &str, files: &impl ReportFiles) -> io::Result<String> {
+/// If a file cannot be read.
+pub fn render<F: ReportFiles>(markdown: &str, files: &F) -> Result<String, F::Error> {
     let mut events = vec![];
     let mut parser = Parser::new_ext(markdown, Options::ENABLE_TABLES);
     while let Some(event) = parser.next() {
@@ -62,18 +64,15 @@ fn words<'a>(events: &mut impl Iterator<Item = Event<'a>>) -> String {
         .collect()
 }
 
-fn figure(file: &str, alternative: &str, files: &impl ReportFiles) -> io::Result<String> {
-    let place = files.file(file).filter(|place| place.is_file());
+fn figure<F: ReportFiles>(file: &str, alternative: &str, files: &F) -> Result<String, F::Error> {
     let alternative = attribute(alternative);
-    match place {
-        Some(place) if file.ends_with(".svg") => {
-            Ok(format!("<span class=\"drawing\">{}</span>", fs::read_to_string(place)?))
+    Ok(match files.content(file)? {
+        Some(bytes) if file.ends_with(".svg") => {
+            format!("<span class=\"drawing\">{}</span>", String::from_utf8_lossy(&bytes))
         }
-        Some(place) => {
-            Ok(format!("<img src=\"{}\" alt=\"{alternative}\">", data(&fs::read(place)?)))
-        }
-        None => Ok(format!("<em>{alternative}</em>")),
-    }
+        Some(bytes) => format!("<img src=\"{}\" alt=\"{alternative}\">", data(&bytes)),
+        None => format!("<em>{alternative}</em>"),
+    })
 }
 
 /// A PNG as a data URL.

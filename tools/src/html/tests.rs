@@ -1,5 +1,5 @@
 //! Pages of made-up reports.
-use std::path::PathBuf;
+use std::io;
 
 use super::*;
 
@@ -7,8 +7,11 @@ use super::*;
 struct Folder(tempfile::TempDir);
 
 impl ReportFiles for Folder {
-    fn file(&self, name: &str) -> Option<PathBuf> {
-        Some(self.0.path().join(name))
+    type Error = io::Error;
+
+    fn content(&self, name: &str) -> io::Result<Option<Vec<u8>>> {
+        let path = self.0.path().join(name);
+        path.is_file().then(|| std::fs::read(path)).transpose()
     }
 }
 

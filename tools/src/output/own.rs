@@ -80,6 +80,13 @@ fn listed_files(report: &Path) -> Option<BTreeSet<String>> {
     (report.program == PROGRAM).then_some(report.files)
 }
 
+/// What files' names end with, and what their first line begins with.
+const COMMENTS: [(&[&str], &str); 3] = [
+    (&[".lpf", ".xdc", ".sdc", ".tcl", ".py"], "#"),
+    (&[".md", ".html", ".svg"], "<!--"),
+    (&[".v", ".h", ".c", ".rdl", ".hex"], "//"),
+];
+
 /// Whether a file begins as a file does that Specula writes without a report.
 fn begins_like_ours(name: &str, path: &Path) -> bool {
     let read = || read_regular(path, LONGEST_FILE);
@@ -88,13 +95,13 @@ fn begins_like_ours(name: &str, path: &Path) -> bool {
         SpecFile::NAME => begins(SpecFile::ABOUT),
         _ if is_journal(name) => read().is_ok_and(|bytes| Journal::has_written(&bytes)),
         "Makefile" => begins("# Specula "),
-        _ if [".lpf", ".xdc", ".sdc"].iter().any(|end| name.ends_with(end)) => begins("# Specula "),
         _ if name.ends_with(".core") => begins("CAPI=2:\n# Specula "),
-        _ if name.ends_with(".md") => begins("<!-- Specula "),
-        _ if [".v", ".h", ".rdl", ".hex"].iter().any(|end| name.ends_with(end)) => {
-            begins("// Specula ")
+        _ if name.ends_with(".sh") => begins("#!/bin/sh\n# Specula "),
+        _ => {
+            let comment =
+                COMMENTS.iter().find(|(ends, _)| ends.iter().any(|end| name.ends_with(end)));
+            comment.is_some_and(|(_, comment)| begins(&format!("{comment} Specula ")))
         }
-        _ => false,
     }
 }
 
@@ -149,7 +156,14 @@ mod tests {
         assert!(!is_own("report.md", "# teapot\n"));
         assert!(is_own("README.md", "<!-- Specula 0.1.0: a shading core -->\n"));
         assert!(is_own("Makefile", "# Specula 0.1.0: simulation\n"));
+        assert!(is_own("teapot_host.c", "// Specula 0.1.0: makes the first packet\n"));
+        assert!(is_own("teapot_ip.py", "# Specula 0.1.0: what a host sends\n"));
+        assert!(!is_own("mine.py", "import numpy\n") && !is_own("mine.c", "int main;\n"));
         assert!(is_own("teapot_pixels.hex", "// Specula 0.1.0: vectors\n"));
+        assert!(is_own("prove.sh", "#!/bin/sh\n# Specula 0.1.0: proves\n"));
+        assert!(is_own("test_teapot.py", "# Specula 0.1.0: a test\n"));
+        assert!(is_own("teapot.html", "<!-- Specula 0.1.0: a data sheet -->\n<!DOCTYPE html>\n"));
+        assert!(!is_own("mine.py", "import cocotb\n") && !is_own("mine.svg", "<svg/>\n"));
         assert!(!is_own("Makefile", "all: mine\n") && !is_own("mine.hex", "00\n"));
         let result = "{\"key\":{\"version\":\"0.1.0\"";
         assert!(is_own(".results.jsonl-a1B2c3", "") && is_own(".results.jsonl-a1B2c3", result));

@@ -98,10 +98,13 @@ impl Staging {
 }
 
 impl ReportFiles for Staging {
-    fn file(&self, name: &str) -> Option<PathBuf> {
+    type Error = io::Error;
+
+    fn content(&self, name: &str) -> io::Result<Option<Vec<u8>>> {
         // A report lists only files in its own folder.
         let is_a_name = Path::new(name).file_name().is_some_and(|file| file == name);
-        is_a_name.then(|| Staging::file(self, name))
+        let path = is_a_name.then(|| self.file(name)).filter(|path| path.is_file());
+        path.map(fs::read).transpose()
     }
 }
 

@@ -2,6 +2,8 @@
 use std::fs;
 use std::process::Command;
 
+use specula_fixtures::tools::{is_installed, python_with_numpy};
+
 use crate::program::Place;
 
 #[test]
@@ -215,19 +217,26 @@ fn a_block_is_written_with_all_it_takes() {
     printed.sort_unstable();
     assert_eq!(printed, names);
     insta::assert_snapshot!("files_of_a_block", names.join("\n"));
-    for name in ["teapot_packet.md", "teapot_axis.v", "README.md"] {
+    for name in ["teapot.md", "teapot_axis.v", "README.md"] {
         let text = fs::read_to_string(place.path("block").join(name)).unwrap();
         insta::assert_snapshot!(format!("block_{}", name.replace('.', "_")), text);
     }
     assert_eq!(place.succeeds(&words), said);
-    if ["make", "iverilog"].into_iter().all(specula_fixtures::tools::is_installed) {
-        let made = Command::new("make")
-            .args(["-C", "block", "sim", "SEED=2"])
-            .current_dir(place.path("."))
-            .output()
-            .unwrap();
+    let makes = |arguments: &[&str]| {
+        let words = [&["-C", "block"], arguments].concat();
+        let made = Command::new("make").args(words).current_dir(place.path(".")).output().unwrap();
         let said = String::from_utf8_lossy(&made.stdout);
-        assert!(made.status.success() && said.contains("\nPASS: "), "{said}");
+        assert!(made.status.success() && said.contains("\nPASS"), "{arguments:?}: {said}");
+    };
+    let are_installed = |tools: &[&str]| tools.iter().all(|tool| is_installed(tool));
+    if are_installed(&["make", "iverilog"]) {
+        makes(&["sim", "SEED=2"]);
+    }
+    if are_installed(&["make", "gcc"]) {
+        makes(&["host", "CC=gcc"]);
+    }
+    if let Some(python) = python_with_numpy().filter(|_| is_installed("make")) {
+        makes(&["host-python", &format!("PYTHON={python}")]);
     }
 }
 

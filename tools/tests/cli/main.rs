@@ -4,6 +4,7 @@ mod compare;
 mod errors;
 mod explore;
 mod figure9;
+mod fusesoc;
 mod generate;
 mod help;
 mod methods;

@@ -1,7 +1,8 @@
 @ABOUT@
 //
 // Self-checking bench of @NAME@_ip. It writes the registers, streams @NAME@_packets.hex in, and compares every pixel
-// that comes out with @NAME@_pixels.hex. It says PASS, or which pixel differs first.
+// that comes out with @NAME@_pixels.hex. It says PASS, or which pixel differs first, and then stops by `$stop`,
+// so that simulators end with a status that is not 0 (Icarus with `vvp -N`).
 //
 //   +seed=N     pauses at random on both sides; 0, which is the default, for none
 `default_nettype none
@@ -151,7 +152,7 @@ module @NAME@_tb #(
         $display("FAIL: nothing moves behind pixel %0d", sent);
         failed <= 1'b1;
       end
-      if (failed) $finish;
+      if (failed) $stop;
     end
   end
 
@@ -264,7 +265,7 @@ module @NAME@_tb #(
       end
       if (wrong) begin
         $display("FAIL: register %h has %h", s_axi_araddr, s_axi_rdata);
-        $finish;
+        $stop;
       end
     end
   end

@@ -1,0 +1,199 @@
+//! What the host code of a core is made of, in whatever language.
+use specula_spec::lyon::Normals;
+use specula_spec::{FieldContent, Format, InputPort, MethodSpec, Positions, consistent};
+
+use super::method_text::program;
+use super::program::{Given, Holder, Kind, Part, Source};
+use crate::stream::{FrameInput, StreamCore};
+
+/// Where the raw value of an input goes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Place {
+    /// Into bits of a packet, from this one on, so many.
+    Packet {
+        /// The lowest of them.
+        first_bit: u32,
+        /// How many there are.
+        bits: u32,
+    },
+    /// Into registers.
+    Registers(FrameInput),
+}
+
+/// An input that a host sends.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SentInput {
+    /// Its port, with the range that is left.
+    pub port: InputPort,
+    /// What it is given.
+    pub given: Given,
+    /// Where it goes.
+    pub place: Place,
+}
+
+/// A part of the program with where its inputs go.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SentPart {
+    /// What the inputs depend on.
+    pub part: Part,
+    /// The inputs, in order.
+    pub inputs: Vec<SentInput>,
+}
+
+/// The host code of a core.
+pub struct HostCode<'a> {
+    /// The core.
+    pub core: &'a StreamCore<'a>,
+    /// The packet of a span.
+    pub packet: SentPart,
+    /// The registers of a frame.
+    pub registers: SentPart,
+}
+
+impl<'a> HostCode<'a> {
+    /// The host code of a core.
+    pub fn new(core: &'a StreamCore<'a>) -> HostCode<'a> {
+        let program = program(core.spec);
+        let ports = core.spec.inputs();
+        let sent = |places: Vec<(usize, Place)>| {
+            let names: Vec<&str> =
+                places.iter().map(|(number, _)| ports[*number].name.as_str()).collect();
+            // Tests look at every option of every method, with lights and eye at places, too.
+            let part = program.part(&names).expect("there is a statement for every input");
+            let input = |((number, place), given): ((usize, Place), &Given)| SentInput {
+                port: ports[number].clone(),
+                given: given.clone(),
+                place,
+            };
+            let inputs = places.into_iter().zip(&part.given).map(input).collect();
+            SentPart { part, inputs }
+        };
+        let fields = core.layout.fields.iter().filter_map(|field| match field.content {
+            FieldContent::Input(number) => {
+                let (first_bit, bits) = (field.first_bit, field.format.width());
+                Some((number, Place::Packet { first_bit, bits }))
+            }
+            _ => None,
+        });
+        let registers = core.frame_inputs();
+        let registers = registers.into_iter().map(|input| (input.number, Place::Registers(input)));
+        HostCode { core, packet: sent(fields.collect()), registers: sent(registers.collect()) }
+    }
+
+    /// Whether pixels have a position.
+    pub fn has_positions(&self) -> bool {
+        self.core.layout.positions == Positions::Sent
+    }
+
+    /// The values that a struct of the host has, without those of a material within.
+    pub fn fields(&self, holder: Holder) -> Vec<&Source> {
+        let mut fields: Vec<&Source> = vec![];
+        for source in self.packet.part.sources.iter().chain(&self.registers.part.sources) {
+            let is_field = source.kind != Kind::Steps && source.holder == holder;
+            if is_field && !fields.iter().any(|field| field.name == source.name) {
+                fields.push(source);
+            }
+        }
+        fields
+    }
+
+    /// The values that a frame has, its material's last.
+    pub fn frame_sources(&self) -> Vec<&Source> {
+        let mut sources = self.fields(Holder::Frame);
+        if !self.materials_are_of_spans() {
+            sources.extend(self.fields(Holder::Material));
+        }
+        sources
+    }
+
+    /// The values that a span has, its material's last.
+    pub fn span_sources(&self) -> Vec<&Source> {
+        let mut sources = self.fields(Holder::Span);
+        if self.materials_are_of_spans() {
+            sources.extend(self.fields(Holder::Material));
+        }
+        sources
+    }
+
+    /// Whether it depends on a material.
+    pub fn has_material(&self) -> bool {
+        !self.fields(Holder::Material).is_empty()
+    }
+
+    /// Whether spans have a material each; if not, frames have one.
+    pub fn materials_are_of_spans(&self) -> bool {
+        self.core.spec.parameters.several_materials
+    }
+
+    /// Whether there is anything that a frame has.
+    pub fn has_frame(&self) -> bool {
+        let has_material = self.has_material() && !self.materials_are_of_spans();
+        has_material || !self.fields(Holder::Frame).is_empty()
+    }
+
+    /// Whether packets depend on what a frame has.
+    pub fn packets_need_the_frame(&self) -> bool {
+        let needs = |source: &Source| match source.holder {
+            Holder::Span => false,
+            Holder::Material => !self.materials_are_of_spans(),
+            Holder::Frame => true,
+        };
+        self.packet.part.sources.iter().any(needs)
+    }
+
+    /// Whether it may be computed with float: not where directions are made of nearly equal
+    /// vectors, or a choice made for the whole span.
+    pub fn has_float(&self) -> bool {
+        match &self.core.spec.method {
+            MethodSpec::Slerp(_) => false,
+            MethodSpec::Lyon(lyon) => lyon.normals != Normals::Wrapped,
+            _ => true,
+        }
+    }
+
+    /// Register writes of a frame.
+    pub fn writes(&self) -> usize {
+        let words = |input: &SentInput| match &input.place {
+            Place::Packet { .. } => 0,
+            Place::Registers(register) => register.words(0).len(),
+        };
+        self.registers.inputs.iter().map(words).sum()
+    }
+
+    /// Functions that a host needs besides, for what it interpolates.
+    pub fn public_functions(&self) -> &'static [&'static str] {
+        match &self.core.spec.method {
+            MethodSpec::Hybrid(_) => &["interpolated", "lambert"],
+            MethodSpec::Gouraud(_) => &["interpolated", "lambert", "highlight"],
+            MethodSpec::Consistent(spec) => match spec.curve {
+                consistent::Curve::Rational => &["interpolated", "rational_angle"],
+                consistent::Curve::Trigonometric => &["interpolated", "trigonometric_angle"],
+            },
+            _ => &["interpolated"],
+        }
+    }
+}
+
+/// Where some bits of a packet stand: words, and how far to the left the bits go in each.
+pub fn shifts(first_bit: u32, bits: u32, word_bits: u32) -> Vec<(u32, i64)> {
+    let words = first_bit / word_bits..=(first_bit + bits - 1) / word_bits;
+    words.map(|word| (word, i64::from(first_bit) - i64::from(word * word_bits))).collect()
+}
+
+/// What a value is multiplied by to be a raw value of a format.
+pub fn ones(format: Format) -> i64 {
+    1 << format.fraction_bits
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bits_go_into_every_word_that_they_cross() {
+        assert_eq!(shifts(64, 16, 32), [(2, 0)]);
+        assert_eq!(shifts(80, 17, 32), [(2, 16), (3, -16)]);
+        assert_eq!(shifts(31, 34, 32), [(0, 31), (1, -1), (2, -33)]);
+        assert_eq!(shifts(31, 33, 64), [(0, 31)]);
+    }
+}

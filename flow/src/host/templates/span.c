@@ -1,0 +1,5 @@
+      .pixels = @PIXELS@,
+      .last = @LAST@,
+?positions|      .x = @X@,
+?positions|      .y = @Y@,
+@SPAN_VALUES@
