@@ -207,7 +207,7 @@ mod tests {
         for target in Target::families() {
             let name = &target.name;
             let Some(fabric) = &target.fabric else { continue };
-            let Fabric { register, lut, net, carry, carry_bit } = *fabric;
+            let Fabric { register, lut, net, carry, carry_bit, carries: _ } = *fabric;
             assert!([register, lut, net, carry_bit].into_iter().all(|ns| ns > 0.0), "{name}");
             assert!(carry >= 0.0, "{name}");
             assert!(target.delay_line.read.is_none_or(|ns| ns > register), "{name}");

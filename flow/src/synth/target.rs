@@ -46,6 +46,8 @@ impl SynthTarget {
             "CABGA756",
             "--lpf-allow-unconstrained",
             "--timing-allow-fail",
+            TIMING_WEIGHT[0],
+            TIMING_WEIGHT[1],
         ],
     };
     /// The largest iCE40 HX. It has no multiplier blocks.
@@ -156,8 +158,8 @@ const DEVICES: [(&str, SynthTarget, &str, &[&str]); 8] = [
     ("ice40up5k", SynthTarget::ICE40_UP, "iCE40UP5K SG48", &ice40("--up5k", "sg48")),
 ];
 
-/// Arguments of nextpnr for an ECP5 of the fastest speed grade, in the package that all have.
-const fn ecp5(size: &'static str) -> [&'static str; 7] {
+/// Arguments of nextpnr for an ECP5 of the slowest speed grade, in the package that all have.
+const fn ecp5(size: &'static str) -> [&'static str; 9] {
     [
         size,
         "--speed",
@@ -166,8 +168,14 @@ const fn ecp5(size: &'static str) -> [&'static str; 7] {
         "CABGA381",
         "--lpf-allow-unconstrained",
         "--timing-allow-fail",
+        TIMING_WEIGHT[0],
+        TIMING_WEIGHT[1],
     ]
 }
+
+/// How much more a net counts in placement that lies on a slow path; 10 is nextpnr's own choice. With
+/// that, single nets of large cores are 30 to 50 rows long (decision 0032).
+const TIMING_WEIGHT: [&str; 2] = ["--placer-heap-timingweight", "40"];
 
 /// Arguments of nextpnr for an iCE40.
 const fn ice40(size: &'static str, package: &'static str) -> [&'static str; 4] {

@@ -7,7 +7,18 @@ set -eu
 wanted=" $* "
 failed=0
 
-for top in @NAME@_formal @NAME@_regs_formal; do
+# Whether this property is to be proven.
+is_wanted() {
+  case $wanted in "  " | *" $1 "*) return 0 ;; *) return 1 ;; esac
+}
+
+# The top module and the module that has its properties.
+for pair in @NAME@_formal:@NAME@_properties @NAME@_regs_formal:@NAME@_regs_formal; do
+  top=${pair%:*}
+  names=$(sed -n "/^module ${pair#*:}/,/^endmodule/s/^.* \([a-z_]*\): assert.*/\1/p" @NAME@_formal.v)
+  any=no
+  for name in $names; do if is_wanted "$name"; then any=yes; fi; done
+  if [ $any = no ]; then continue; fi
   yosys -q -p "read_verilog -formal @NAME@_formal.v @NAME@_axis.v @NAME@_regs.v; prep -flatten -top $top;
     memory_map; opt -full; techmap; opt -full; abc -g AND -fast; opt_clean; dffunmap; opt_expr; opt_clean;
     techmap; abc -g AND -fast; opt_clean; tee -q -o $top.properties select -list t:\$assert;
@@ -17,7 +28,7 @@ for top in @NAME@_formal @NAME@_regs_formal; do
     name=${property##*[./]}
     output=$number
     number=$((number + 1))
-    case $wanted in "  " | *" $name "*) ;; *) continue ;; esac
+    if ! is_wanted "$name"; then continue; fi
     yosys-abc -c "read_aiger $top.aig; strash; cone -s -O $output; scleanup; lcorr; scorr -F 2; dc2;
       scorr -F 3; pdr -T 600" >prove.log 2>&1
     if grep -q 'Property proved' prove.log; then
