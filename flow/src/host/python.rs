@@ -55,7 +55,7 @@ fn functions(code: &HostCode) -> Vec<&'static str> {
     let public: Vec<String> =
         code.public_functions().iter().map(|name| format!("@{name}")).collect();
     let of_parts = [&code.packet, &code.registers];
-    let texts: Vec<String> = of_parts.map(|sent| statements(sent)).into_iter().collect();
+    let texts: Vec<String> = of_parts.map(statements).into_iter().collect();
     Library::python().called(texts.iter().chain(&public).map(String::as_str))
 }
 
