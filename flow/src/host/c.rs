@@ -7,15 +7,17 @@ use super::float_error::float_error;
 use super::library::Library;
 use super::program::{Definition, Given, Holder, Kind, Number, Source};
 use super::text::{commented, joined};
-use crate::stream::template::Values;
 
 /// Functions of `<math.h>` that functions of the library call.
 const OF_MATH_H: [&str; 7] = ["sqrt", "acos", "atan2", "sin", "cos", "pow", "copysign"];
 
 /// The header with everything that a host needs.
 pub fn header(code: &HostCode) -> String {
-    let mut values = values(code);
+    let mut values = code.values();
     let name = code.core.name();
+    values.set("SPAN_FIELDS", named(&fields(code, Holder::Span), name));
+    values.set("FRAME_FIELDS", named(&fields(code, Holder::Frame), name));
+    values.set("MATERIAL_FIELDS", named(&fields(code, Holder::Material), name));
     let packet = joined([loads(code, &code.packet), statements(&code.packet), packet_words(code)]);
     values.set("PACKET_BODY", named(&packet, name));
     let registers =
@@ -26,34 +28,7 @@ pub fn header(code: &HostCode) -> String {
     values.flag("math", !math.is_empty());
     values.set("MATH", math.join(", "));
     values.flag("float", code.has_float());
-    let differs = |input: &SentInput| matches!(input.given, Given::Difference { .. });
-    values.flag("difference", code.packet.inputs.iter().any(differs));
     values.fill(include_str!("templates/host.h"))
-}
-
-/// What templates of C ask for.
-pub fn values(code: &HostCode) -> Values {
-    let mut values = Values::default();
-    let core = code.core;
-    values.set("NAME", core.name());
-    values.set("UPPER", core.name().to_uppercase());
-    values.set("VERSION", env!("CARGO_PKG_VERSION"));
-    values.set("WORDS", core.words());
-    values.set("WORD", core.word.bits());
-    values.set("LONGEST", core.spec.parameters.longest_span);
-    values.set("WRITES", code.writes());
-    values.set("SPAN_FIELDS", named(&fields(code, Holder::Span), core.name()));
-    values.set("FRAME_FIELDS", named(&fields(code, Holder::Frame), core.name()));
-    values.set("MATERIAL_FIELDS", named(&fields(code, Holder::Material), core.name()));
-    values.flag("positions", code.has_positions());
-    values.flag("frame", code.has_frame());
-    values.flag("packet_frame", code.packets_need_the_frame());
-    values.flag("registers", !code.registers.inputs.is_empty());
-    values.flag("material", code.has_material());
-    let of_spans = code.has_material() && code.materials_are_of_spans();
-    values.flag("span_material", of_spans);
-    values.flag("frame_material", code.has_material() && !of_spans);
-    values
 }
 
 /// A text with the functions and types of the core's own names.
@@ -80,12 +55,7 @@ fn fields(code: &HostCode, holder: Holder) -> String {
 
 /// The functions that the code calls, and those that a host needs besides.
 fn functions(code: &HostCode) -> Vec<&'static str> {
-    let public: Vec<String> =
-        code.public_functions().iter().map(|name| format!("@{name}")).collect();
-    let of_parts = [&code.packet, &code.registers];
-    let texts: Vec<String> =
-        of_parts.map(|sent| loads(code, sent) + &statements(sent)).into_iter().collect();
-    Library::c().called(texts.iter().chain(&public).map(String::as_str))
+    code.functions(&Library::c(), |sent| loads(code, sent) + &statements(sent))
 }
 
 /// The functions of `<math.h>` that the code calls.

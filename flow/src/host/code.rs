@@ -2,8 +2,10 @@
 use specula_spec::lyon::Normals;
 use specula_spec::{FieldContent, Format, InputPort, MethodSpec, Positions, consistent};
 
+use super::library::Library;
 use super::method_text::program;
 use super::program::{Given, Holder, Kind, Part, Source};
+use crate::stream::template::Values;
 use crate::stream::{FrameInput, StreamCore};
 
 /// Where the raw value of an input goes.
@@ -120,6 +122,15 @@ impl<'a> HostCode<'a> {
         !self.fields(Holder::Material).is_empty()
     }
 
+    /// Whether what this has may differ from span to span.
+    pub fn is_of_spans(&self, holder: Holder) -> bool {
+        match holder {
+            Holder::Span => true,
+            Holder::Material => self.materials_are_of_spans(),
+            Holder::Frame => false,
+        }
+    }
+
     /// Whether spans have a material each; if not, frames have one.
     pub fn materials_are_of_spans(&self) -> bool {
         self.core.spec.parameters.several_materials
@@ -133,11 +144,7 @@ impl<'a> HostCode<'a> {
 
     /// Whether packets depend on what a frame has.
     pub fn packets_need_the_frame(&self) -> bool {
-        let needs = |source: &Source| match source.holder {
-            Holder::Span => false,
-            Holder::Material => !self.materials_are_of_spans(),
-            Holder::Frame => true,
-        };
+        let needs = |source: &Source| !self.is_of_spans(source.holder);
         self.packet.part.sources.iter().any(needs)
     }
 
@@ -158,6 +165,43 @@ impl<'a> HostCode<'a> {
             Place::Registers(register) => register.words(0).len(),
         };
         self.registers.inputs.iter().map(words).sum()
+    }
+
+    /// The functions of a library that the code calls, whose parts in that language `text` gives, and
+    /// those that a host needs besides.
+    pub fn functions(
+        &self,
+        library: &Library,
+        text: impl Fn(&SentPart) -> String,
+    ) -> Vec<&'static str> {
+        let public = self.public_functions().iter().map(|name| format!("@{name}"));
+        let texts: Vec<String> =
+            [&self.packet, &self.registers].into_iter().map(text).chain(public).collect();
+        library.called(texts.iter().map(String::as_str))
+    }
+
+    /// What templates of either language ask for.
+    pub fn values(&self) -> Values {
+        let mut values = Values::default();
+        let core = self.core;
+        values.set("NAME", core.name());
+        values.set("UPPER", core.name().to_uppercase());
+        values.set("VERSION", env!("CARGO_PKG_VERSION"));
+        values.set("WORDS", core.words());
+        values.set("WORD", core.word.bits());
+        values.set("LONGEST", core.spec.parameters.longest_span);
+        values.set("WRITES", self.writes());
+        values.flag("positions", self.has_positions());
+        values.flag("frame", self.has_frame());
+        values.flag("packet_frame", self.packets_need_the_frame());
+        values.flag("registers", !self.registers.inputs.is_empty());
+        values.flag("material", self.has_material());
+        let of_spans = self.has_material() && self.materials_are_of_spans();
+        values.flag("span_material", of_spans);
+        values.flag("frame_material", self.has_material() && !of_spans);
+        let differs = |input: &SentInput| matches!(input.given, Given::Difference { .. });
+        values.flag("difference", self.packet.inputs.iter().any(differs));
+        values
     }
 
     /// Functions that a host needs besides, for what it interpolates.

@@ -1,7 +1,6 @@
 //! Programs that make the first packet of a block's vectors, as examples of how host code is used.
 use specula_scene::frame::{Frame, Span};
 
-use super::c;
 use super::code::HostCode;
 use super::host_values::host_value;
 use super::program::{Holder, Kind, Source};
@@ -70,7 +69,7 @@ const PYTHON: Language = Language {
 };
 
 fn values(code: &HostCode, example: &ExampleSpan, language: &Language) -> Values {
-    let mut values = c::values(code);
+    let mut values = code.values();
     values.set("SPAN_VALUES", fields(code, example, language, Holder::Span));
     values.set("FRAME_VALUES", fields(code, example, language, Holder::Frame));
     values.set("MATERIAL_VALUES", fields(code, example, language, Holder::Material));
@@ -88,11 +87,6 @@ fn values(code: &HostCode, example: &ExampleSpan, language: &Language) -> Values
 
 /// The fields of a struct with their values, a line each.
 fn fields(code: &HostCode, example: &ExampleSpan, language: &Language, holder: Holder) -> String {
-    let is_of_spans = match holder {
-        Holder::Span => true,
-        Holder::Material => code.materials_are_of_spans(),
-        Holder::Frame => false,
-    };
     let field = |source: &&Source| {
         // Tests ask for every value of every method.
         let numbers = host_value(code.core.spec, example.frame, example.span, source)
@@ -102,7 +96,7 @@ fn fields(code: &HostCode, example: &ExampleSpan, language: &Language, holder: H
         let all = numbers.iter().map(number).collect::<Vec<_>>().join(", ");
         let [open, close] = language.brackets;
         let value = if numbers.len() > 1 { format!("{open}{all}{close}") } else { all };
-        let [open, close] = if is_of_spans { language.of_spans } else { ["", ""] };
+        let [open, close] = if code.is_of_spans(holder) { language.of_spans } else { ["", ""] };
         let (indent, before, name) = (language.indent, language.before, &source.name);
         let equals = if before.is_empty() { "=" } else { " = " };
         format!("{indent}{before}{name}{equals}{open}{value}{close},")

@@ -1,17 +1,15 @@
 //! Host code in Python.
 use std::fmt::Write;
 
-use super::c;
 use super::code::{HostCode, Place, SentInput, SentPart, ones};
 use super::expression::{Token, tokens};
 use super::library::Library;
 use super::program::{Definition, Given, Holder, Kind, Number, Source};
 use super::text::{commented, joined};
-use crate::stream::template::Values;
 
 /// The module with everything that a host needs.
 pub fn module(code: &HostCode) -> String {
-    let mut values: Values = c::values(code);
+    let mut values = code.values();
     let named = |text: &str| named(code, text);
     values.set("SPAN_FIELDS", fields(code, Holder::Span));
     values.set("FRAME_FIELDS", fields(code, Holder::Frame));
@@ -20,9 +18,8 @@ pub fn module(code: &HostCode) -> String {
         |sent: &SentPart, last: String| named(&joined([loads(code, sent), statements(sent), last]));
     values.set("PACKET_BODY", of(&code.packet, puts(code)));
     values.set("REGISTERS_BODY", of(&code.registers, writes(code)));
-    values.set("FUNCTIONS", named(&functions(code).join("\n")));
-    let differs = |input: &SentInput| matches!(input.given, Given::Difference { .. });
-    values.flag("difference", code.packet.inputs.iter().any(differs));
+    let functions = code.functions(&Library::python(), statements);
+    values.set("FUNCTIONS", named(&functions.join("\n")));
     values.fill(include_str!("templates/module.py"))
 }
 
@@ -37,11 +34,7 @@ fn named(code: &HostCode, text: &str) -> String {
 }
 
 fn fields(code: &HostCode, holder: Holder) -> String {
-    let of_spans = match holder {
-        Holder::Span => true,
-        Holder::Material => code.materials_are_of_spans(),
-        Holder::Frame => false,
-    };
+    let of_spans = code.is_of_spans(holder);
     let field = |source: &&Source| {
         let is_number = matches!(source.kind, Kind::Real | Kind::Whole | Kind::Steps);
         let kind = if is_number && !of_spans { "float" } else { "np.ndarray" };
@@ -51,25 +44,18 @@ fn fields(code: &HostCode, holder: Holder) -> String {
     code.fields(holder).iter().map(field).collect::<Vec<_>>().join("\n")
 }
 
-fn functions(code: &HostCode) -> Vec<&'static str> {
-    let public: Vec<String> =
-        code.public_functions().iter().map(|name| format!("@{name}")).collect();
-    let of_parts = [&code.packet, &code.registers];
-    let texts: Vec<String> = of_parts.map(statements).into_iter().collect();
-    Library::python().called(texts.iter().chain(&public).map(String::as_str))
-}
-
 /// Statements that take values out of objects. What a frame has is the same for all spans.
 fn loads(code: &HostCode, sent: &SentPart) -> String {
     let load = |source: &Source| {
         let (local, name) = (source.local(), &source.name);
-        let (holder, is_of_spans) = match source.holder {
-            Holder::Span => ("spans", true),
-            Holder::Frame => ("frame", false),
-            Holder::Material if code.materials_are_of_spans() => ("spans.material", true),
-            Holder::Material => ("frame.material", false),
+        let of_spans = code.is_of_spans(source.holder);
+        let holder = match source.holder {
+            Holder::Span => "spans",
+            Holder::Frame => "frame",
+            Holder::Material if of_spans => "spans.material",
+            Holder::Material => "frame.material",
         };
-        let value = match (source.kind, is_of_spans) {
+        let value = match (source.kind, of_spans) {
             (Kind::Steps, _) => "pixels.astype(float) - 1".to_owned(),
             (Kind::Vector | Kind::Colour, true) => format!("_components({holder}.{name})"),
             (Kind::Vector | Kind::Colour, false) => {

@@ -82,16 +82,13 @@ fn header_bits(core: &StreamCore) -> u32 {
 fn core_instance(core: &StreamCore, values: &mut Values) {
     let design = core.design;
     let name = |id: NodeId| &design.node(id).name;
-    let mut pins = vec![];
-    if design.nodes.iter().any(Node::registered) {
-        pins.push(("clock".to_owned(), "aclk".to_owned()));
-    }
-    if design.to_block().has_reset() {
-        pins.push(("reset".to_owned(), "reset".to_owned()));
-    }
-    pins.extend(control_pin(design, design.valid, "enter"));
+    let net = |port: &str| if port == "clock" { "aclk" } else { port }.to_owned();
+    let mut pins: Vec<(String, String)> =
+        clocking(design).into_iter().map(|port| (port.to_owned(), net(port))).collect();
     let start = if design.interval == 1 { "at_first" } else { "at_first & first_slot" };
-    pins.extend(control_pin(design, design.start, start));
+    let controls = [(design.valid, "enter"), (design.start, start)];
+    let controls = controls.into_iter().filter(|&(id, _)| is_input(design, id));
+    pins.extend(controls.map(|(id, net)| (name(id).clone(), net.to_owned())));
     let inputs = input_pins(core);
     pins.extend(inputs.iter().map(|pin| (pin.port.clone(), pin.taken.clone())));
     let unused = inputs.iter().filter_map(|pin| pin.unused.as_ref());
@@ -119,10 +116,16 @@ fn core_instance(core: &StreamCore, values: &mut Values) {
     }
 }
 
-/// The pin of a control input, if the core has it.
-pub(super) fn control_pin(design: &Design, id: NodeId, net: &str) -> Option<(String, String)> {
-    let node = design.node(id);
-    (node.op == Op::Input).then(|| (node.name.clone(), net.to_owned()))
+/// The ports for clock and reset that the core has.
+pub(super) fn clocking(design: &Design) -> Vec<&'static str> {
+    let clock = design.nodes.iter().any(Node::registered).then_some("clock");
+    let reset = design.to_block().has_reset().then_some("reset");
+    clock.into_iter().chain(reset).collect()
+}
+
+/// Whether the core has this control signal as an input.
+pub(super) fn is_input(design: &Design, id: NodeId) -> bool {
+    design.node(id).op == Op::Input
 }
 
 /// A data input of the core: its port, the bits that go there, and the copies of their highest bit

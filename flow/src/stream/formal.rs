@@ -1,9 +1,9 @@
 //! The properties that are proven of a block's streams and registers.
-use specula_datapath::design::{Node, NodeId};
+use specula_datapath::design::NodeId;
 use specula_spec::Positions;
 
 use super::StreamCore;
-use super::fill::{bounds, control_pin};
+use super::fill::{bounds, clocking, is_input};
 use super::template::Values;
 
 /// Clocks of the pipeline that stands in place of the core.
@@ -15,7 +15,6 @@ const NUMBER_BITS: u32 = 3;
 pub fn values(core: &StreamCore, values: &mut Values) {
     let (word, words) = (core.word.bits(), core.words());
     let index_bits = u32::BITS - words.leading_zeros();
-    values.set("PIXEL_BITS", core.pixel_bits());
     values.set("WORDS_BITS", words * word);
     values.set("LAST_WORD", words - 1);
     values.set("INDEX_BITS", index_bits);
@@ -42,17 +41,11 @@ fn stand_in(core: &StreamCore, values: &mut Values) {
     let port = |direction: &str, id: NodeId| {
         format!("    {direction} wire {}{}", bounds(design.node(id).width()), name(id))
     };
-    let mut ports = vec![];
-    if design.nodes.iter().any(Node::registered) {
-        ports.push("    input wire clock".to_owned());
-    }
-    let has_reset = design.to_block().has_reset();
-    values.flag("reset", has_reset);
-    if has_reset {
-        ports.push("    input wire reset".to_owned());
-    }
-    let controls = [design.valid, design.start];
-    let controls = controls.into_iter().filter(|&id| control_pin(design, id, "").is_some());
+    let clocking = clocking(design);
+    values.flag("reset", clocking.contains(&"reset"));
+    let mut ports: Vec<String> =
+        clocking.iter().map(|name| format!("    input wire {name}")).collect();
+    let controls = [design.valid, design.start].into_iter().filter(|&id| is_input(design, id));
     ports.extend(
         controls.chain(design.inputs.iter().flatten().copied()).map(|id| port("input", id)),
     );

@@ -38,17 +38,7 @@ impl SynthTarget {
         memories: &[("DP16KD", 1)],
         family: Family::Ecp5,
         pins: None,
-        arguments: &[
-            "--85k",
-            "--speed",
-            "6",
-            "--package",
-            "CABGA756",
-            "--lpf-allow-unconstrained",
-            "--timing-allow-fail",
-            TIMING_WEIGHT[0],
-            TIMING_WEIGHT[1],
-        ],
+        arguments: &ecp5("--85k", "CABGA756"),
     };
     /// The largest iCE40 HX. It has no multiplier blocks.
     pub const ICE40_HX: SynthTarget = SynthTarget {
@@ -148,34 +138,35 @@ impl SynthTarget {
 /// Devices by their names in the tables of targets: the target, what the maker calls it, and
 /// nextpnr's arguments.
 const DEVICES: [(&str, SynthTarget, &str, &[&str]); 8] = [
-    ("ecp5-12", SynthTarget::ECP5, "LFE5U-12F-6 CABGA381", &ecp5("--12k")),
-    ("ecp5-25", SynthTarget::ECP5, "LFE5U-25F-6 CABGA381", &ecp5("--25k")),
-    ("ecp5-45", SynthTarget::ECP5, "LFE5U-45F-6 CABGA381", &ecp5("--45k")),
-    ("ecp5-85", SynthTarget::ECP5, "LFE5U-85F-6 CABGA381", &ecp5("--85k")),
+    ("ecp5-12", SynthTarget::ECP5, "LFE5U-12F-6 CABGA381", &ecp5("--12k", IN_ALL_SIZES)),
+    ("ecp5-25", SynthTarget::ECP5, "LFE5U-25F-6 CABGA381", &ecp5("--25k", IN_ALL_SIZES)),
+    ("ecp5-45", SynthTarget::ECP5, "LFE5U-45F-6 CABGA381", &ecp5("--45k", IN_ALL_SIZES)),
+    ("ecp5-85", SynthTarget::ECP5, "LFE5U-85F-6 CABGA381", &ecp5("--85k", IN_ALL_SIZES)),
     ("ice40hx1k", SynthTarget::ICE40_HX, "iCE40HX1K TQ144", &ice40("--hx1k", "tq144")),
     ("ice40hx4k", SynthTarget::ICE40_HX, "iCE40HX4K TQ144", &ice40("--hx4k", "tq144")),
     ("ice40hx8k", SynthTarget::ICE40_HX, "iCE40HX8K CT256", &ice40("--hx8k", "ct256")),
     ("ice40up5k", SynthTarget::ICE40_UP, "iCE40UP5K SG48", &ice40("--up5k", "sg48")),
 ];
 
-/// Arguments of nextpnr for an ECP5 of the slowest speed grade, in the package that all have.
-const fn ecp5(size: &'static str) -> [&'static str; 9] {
+/// The package that ECP5s of every size have.
+const IN_ALL_SIZES: &str = "CABGA381";
+
+/// Arguments of nextpnr for an ECP5 of the slowest speed grade. A net on a slow path counts four times
+/// as much in placement as nextpnr's own choice, 10, makes it: with that, single nets of large cores are
+/// 30 to 50 rows long (decision 0032).
+const fn ecp5(size: &'static str, package: &'static str) -> [&'static str; 9] {
     [
         size,
         "--speed",
         "6",
         "--package",
-        "CABGA381",
+        package,
         "--lpf-allow-unconstrained",
         "--timing-allow-fail",
-        TIMING_WEIGHT[0],
-        TIMING_WEIGHT[1],
+        "--placer-heap-timingweight",
+        "40",
     ]
 }
-
-/// How much more a net counts in placement that lies on a slow path; 10 is nextpnr's own choice. With
-/// that, single nets of large cores are 30 to 50 rows long (decision 0032).
-const TIMING_WEIGHT: [&str; 2] = ["--placer-heap-timingweight", "40"];
 
 /// Arguments of nextpnr for an iCE40.
 const fn ice40(size: &'static str, package: &'static str) -> [&'static str; 4] {
