@@ -1,9 +1,10 @@
 //! What is counted is what Yosys makes: multiplier blocks exactly, flip-flops but for those that it
 //! finds to be constant or alike; and look-up tables are estimated closely.
+use rayon::prelude::*;
 use specula_datapath::resources::Resources;
 use specula_datapath::verilog::Counted;
 use specula_fixtures::specs::spec;
-use specula_fixtures::{each_method, few_spans, tools};
+use specula_fixtures::{few_spans, tools};
 use specula_flow::synth::{SynthTarget, synthesised};
 use specula_spec::{CoreSpec, Method, TargetClock};
 
@@ -21,13 +22,42 @@ fn targets(method: Method) -> impl Iterator<Item = (SynthTarget, f64)> {
 /// have enough blocks.
 const TOLERANCE: f64 = 0.12;
 
-fn cells_are_those_that_yosys_makes(method: Method) {
+#[test]
+fn cells_for_an_ecp5_are_those_that_yosys_makes() {
+    check_each(&[Method::Gouraud, Method::Lyon, Method::Phong], SynthTarget::ECP5);
+}
+
+#[test]
+fn cells_for_an_ice40_up_are_those_that_yosys_makes() {
+    check_each(&[Method::Gouraud, Method::Direct, Method::Slerp], SynthTarget::ICE40_UP);
+}
+
+#[test]
+fn cells_for_an_ice40_hx_are_those_that_yosys_makes() {
+    check_each(&[Method::Gouraud], SynthTarget::ICE40_HX);
+}
+
+#[test]
+#[ignore = "Yosys takes minutes"]
+fn cells_of_every_method_on_every_target_are_those_that_yosys_makes() {
+    Method::ALL.into_par_iter().for_each(|method| check_cells(method, targets(method)));
+}
+
+/// Checks these methods on one of their targets.
+fn check_each(methods: &[Method], target: SynthTarget) {
+    for &method in methods {
+        check_cells(method, targets(method).filter(|(own, _)| *own == target));
+    }
+}
+
+fn check_cells(method: Method, targets: impl Iterator<Item = (SynthTarget, f64)>) {
     if !tools::is_installed("yosys") {
         return;
     }
     let frame = few_spans::frame(1993, 1, 3);
     let core = spec(&frame, method).specialised(&frame);
-    for (synth, clock_mhz) in targets(method) {
+    for (synth, clock_mhz) in targets {
+        let begun = std::time::Instant::now();
         let made_for = TargetClock { name: synth.name.to_owned(), clock_mhz };
         let target = made_for.target().unwrap();
         let design =
@@ -36,6 +66,7 @@ fn cells_are_those_that_yosys_makes(method: Method) {
         let counted = Counted::of(&design.to_block());
         let estimated = Resources::of(&design, &target);
         let made = synthesised(&design, &synth).unwrap();
+        println!("{:?}", begun.elapsed());
         println!("{method:?} {} {counted:?} {estimated:?} {made:?}", synth.name);
         assert_eq!(made.blocks, counted.blocks, "{method:?} on {}", synth.name);
         assert_eq!(estimated.blocks, counted.blocks, "{method:?} on {}", synth.name);
@@ -52,5 +83,3 @@ fn cells_are_those_that_yosys_makes(method: Method) {
         }
     }
 }
-
-each_method!(cells_are_those_that_yosys_makes);

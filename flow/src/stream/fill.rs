@@ -30,7 +30,14 @@ fn streams(core: &StreamCore, values: &mut Values) {
     values.set("WORDS_TOP", words - 1);
     values.set("PACKET_TOP", bits - 1);
     values.set("HEADER_BITS", header_bits);
-    values.set("LONGEST", core.spec.parameters.longest_span);
+    let longest = core.spec.parameters.longest_span;
+    let count_bits = (u32::BITS - longest.leading_zeros()).max(2);
+    values.set("LONGEST", longest);
+    values.set("COUNT_BITS", count_bits);
+    values.set("COUNT_TOP", count_bits - 1);
+    let over_bits = 16 - count_bits;
+    values.set("OVER_BITS", over_bits);
+    values.set("UNUSED_COUNT", format!(", {}", selected_bits("packet", count_bits, over_bits)));
     values.set("PIXEL_TOP", core.pixel_bits() - 1);
     values.set("PIXEL_BITS", core.pixel_bits());
     values.set("TAG_BITS", core.tag_bits());
@@ -57,18 +64,43 @@ fn streams(core: &StreamCore, values: &mut Values) {
     let clocks = if interval == 1 { "a clock".to_owned() } else { format!("{interval} clocks") };
     values.set("CLOCKS_A_PIXEL", clocks);
     values.flag("slots", interval > 1);
-    values.set("RAM_STYLE", ram_style(core));
+    memories(core, values);
 }
 
-/// What asks for memories of look-up tables, where the target is known to have them: they are short,
-/// and faster than block RAM without its output register.
-fn ram_style(core: &StreamCore) -> &'static str {
+/// The memory for pixels.
+fn memories(core: &StreamCore, values: &mut Values) {
     let target = core.spec.target.as_ref().map(|target| target.name.as_str());
-    match target {
-        Some(name) if !name.starts_with("ice40") => "(* ram_style = \"distributed\" *) ",
-        _ => "",
-    }
+    let is_ice40 = target.is_some_and(|name| name.starts_with("ice40"));
+    // Places of a memory of the device: of look-up tables, or of a block RAM.
+    let log2_bank = match target {
+        Some("xilinx7") => 5,
+        _ if is_ice40 => 8,
+        _ => 4,
+    };
+    values.set("LOG2_BANK", log2_bank);
+    values.set("BANK", 1 << log2_bank);
+    values.flag("lut_ram", !is_ice40);
+    // Short memories of look-up tables are faster than block RAM without its output register.
+    let style = "(* ram_style = \"distributed\" *) ";
+    values.set("RAM_STYLE", if target.is_some() && !is_ice40 { style } else { "" });
+    let is_ecp5 = target == Some("ecp5");
+    let memory = |bits| {
+        let is_large = bits << core.log2_depth() >= LEAST_BLOCK_RAM_BITS;
+        if is_ecp5 && is_large { "block_memory" } else { "memory" }
+    };
+    let [tag, colour] = [core.tag_bits(), COLOUR_BITS].map(memory);
+    let block_ram = [tag, colour].contains(&"block_memory");
+    values.set("TAG_MEMORY", tag);
+    values.set("COLOUR_MEMORY", colour);
+    values.flag("block_ram", block_ram);
+    values.set("DEPTH_RANGE", if block_ram { "2 to 9" } else { "2 or more" });
 }
+
+/// Bits of a pixel's colour.
+const COLOUR_BITS: u32 = 24;
+/// Bits from which on a memory is in a block RAM of an ECP5, whose output register is as fast as a
+/// flip-flop, rather than in 16 memories of 16 × 4 bits and what chooses between them.
+const LEAST_BLOCK_RAM_BITS: u32 = 1024;
 
 /// Bits of a packet before the core's inputs.
 fn header_bits(core: &StreamCore) -> u32 {

@@ -32,9 +32,9 @@ const FAULTS: [Fault; 11] = [
         "m_axis_tvalid <= move;",
         "pixel_waits",
     ),
-    ("axis", "if (freed & ~spend) places", "if (freed) places", "places_are_kept"),
+    ("axis", "if (freed ^ spend) places", "if (freed) places", "places_are_kept"),
     ("axis", "if (leaves) leaving", "if (leaves & ~read) leaving", "order"),
-    ("axis", "if (enters) entering", "if (enters & ~leaves) entering", "last_arrives"),
+    ("axis", "if (has_entered) entering", "if (has_entered & ~leaves) entering", "last_arrives"),
     (
         "axis",
         "of_frame, at_last}),\n      .leaves",

@@ -42,10 +42,15 @@ module @NAME@_axis #(
     output wire       blocked, // this clock a span waits, since pixels are not taken
     output wire       starved  // this clock there is no span
 );
-  wire reset = ~aresetn;
+  wire reset;
+  @NAME@_reset reset_high (
+      .low(aresetn),
+      .high(reset)
+  );
 
   // The next packet, as soon as it is whole.
   wire [@PACKET_TOP@:0] packet;
+  wire single;
   wire full;
   wire load;
   wire [2:0] skipped;
@@ -59,6 +64,7 @@ module @NAME@_axis #(
       .word_ready(s_axis_tready),
       .word_last(s_axis_tlast),
       .packet(packet),
+      .single(single),
       .full(full),
       .take(load),
       .skipped(skipped),
@@ -75,7 +81,7 @@ module @NAME@_axis #(
 ?inputs|  reg [@PACKET_TOP@:@HEADER_BITS@] span;
 ?positions|  reg [15:0] x;
 ?positions|  reg [15:0] y;
-  reg [15:0] left;  // pixels that have not entered
+  reg [@COUNT_TOP@:0] left;  // pixels that have not entered
   reg at_last;  // left is 1
   reg at_first;  // no pixel has entered
   reg at_frame;  // the next span begins a frame
@@ -143,14 +149,14 @@ module @NAME@_axis #(
 ?inputs|      span <= packet[@PACKET_TOP@:@HEADER_BITS@];
 ?positions|      x <= packet[47:32];
 ?positions|      y <= packet[63:48];
-      left <= packet[15:0];
-      at_last <= packet[15:0] == 16'd1;
+      left <= packet[@COUNT_TOP@:0];
+      at_last <= single;
       at_first <= 1'b1;
       of_frame <= at_frame;
     end else if (complete) begin
 ?positions|      x <= x + 16'd1;
-      left <= left - 16'd1;
-      at_last <= left == 16'd2;
+      left <= left - @COUNT_BITS@'d1;
+      at_last <= left == @COUNT_BITS@'d2;
       at_first <= 1'b0;
       of_frame <= 1'b0;
     end
@@ -166,8 +172,7 @@ module @NAME@_axis #(
       places <= {LOG2_DEPTH{1'b1}};
       room <= 1'b1;
     end else begin
-      if (freed & ~spend) places <= places + 1'b1;
-      else if (spend & ~freed) places <= places - 1'b1;
+      if (freed ^ spend) places <= places + {{LOG2_DEPTH - 1{~freed}}, 1'b1};  // 1 more or 1 less
       room <= freed | (|places[LOG2_DEPTH-1:1]) | (places[0] & ~spend);
     end
   end
@@ -203,8 +208,8 @@ module @NAME@_axis #(
 !slots|  assign blocked = shading & ~room;
   assign starved = ~shading;
 
-  // The rest of the header is 0, and above some inputs stand copies of their highest bit.
-  wire unused_bits = &{1'b0, packet[31:17]@UNUSED_INPUTS@};
+  // The rest of the header is 0, as are counts above @LONGEST@, and above some inputs stand copies of their highest bit.
+  wire unused_bits = &{1'b0, packet[31:17]@UNUSED_COUNT@@UNUSED_INPUTS@};
 
   // What is proven of all this, in @NAME@_formal.v.
 `ifdef FORMAL
@@ -259,6 +264,7 @@ module @NAME@_packets (
     input  wire        word_last,
 
     output reg  [@PACKET_TOP@:0] packet,
+    output reg         single,  // it is of one pixel
     output reg         full,  // the packet is whole
     input  wire        take,
 
@@ -273,17 +279,11 @@ module @NAME@_packets (
   wire last = at[@WORDS_TOP@];
 
   // What the header says, from the clock after it on.
-  wire word_fits = (word[15:0] != 16'd0) & (word[15:0] <= 16'd@LONGEST@);
+  wire [@COUNT_TOP@:0] count = word[@COUNT_TOP@:0];
+  wire word_fits = word[15:@COUNT_BITS@] == @OVER_BITS@'d0 & count != @COUNT_BITS@'d0 & count <= @COUNT_BITS@'d@LONGEST@;
 ?several|  reg fits;
-?several|  reg is_last;
-?several|  always @(posedge clock) begin
-?several|    if (accept & at[0]) begin
-?several|      fits <= word_fits;
-?several|      is_last <= word[16];
-?several|    end
-?several|  end
+?several|  always @(posedge clock) if (accept & at[0]) fits <= word_fits;
 !several|  wire fits = word_fits;
-!several|  wire is_last = word[16];
 
   wire ends = accept & ~skipping & (last | word_last);
   wire too_short = ends & ~last;
@@ -298,16 +298,16 @@ module @NAME@_packets (
       skipped <= 3'd0;
       lost_last <= 1'b0;
     end else begin
-      if (ends) at <= @WORDS@'d1;
-?several|      else if (accept & ~skipping) at <= at << 1;
+?several|      if (accept & ~skipping) at <= (last | word_last) ? @WORDS@'d1 : at << 1;
       if (too_long) skipping <= 1'b1;
       else if (accept & word_last) skipping <= 1'b0;
       if (whole & fits) full <= 1'b1;
       else if (take) full <= 1'b0;
       skipped <= {whole & ~fits, too_long, too_short};
-?several|      lost_last <= (ends & ~(last & word_last & fits)) & (at[0] ? word[16] : is_last);
-!several|      lost_last <= (ends & ~(last & word_last & fits)) & is_last;
+?several|      lost_last <= (ends & ~(last & word_last & fits)) & (at[0] ? word[16] : packet[16]);
+!several|      lost_last <= (ends & ~(last & word_last & fits)) & word[16];
     end
+    if (accept & at[0]) single <= count == @COUNT_BITS@'d1;
 @TAKE_WORDS@
   end
 ?surplus|
@@ -316,7 +316,7 @@ module @NAME@_packets (
 endmodule
 
 // @NAME@_pixels: pixels from when they enter the core until they have been sent, in their order. What
-// belongs to a pixel is written when it enters, its colour when it leaves the core.
+// belongs to a pixel is written in the clock after it enters, its colour when it leaves the core.
 module @NAME@_pixels #(
     parameter LOG2_DEPTH = @LOG2_DEPTH@
 ) (
@@ -335,7 +335,9 @@ module @NAME@_pixels #(
     output wire        m_axis_tuser,
     output wire        m_axis_tlast
 );
-  reg [LOG2_DEPTH-1:0] entering;  // the place of the pixel that enters next
+  reg has_entered;  // a pixel has in the clock before
+  reg [@TAG_TOP@:0] entered_tag;
+  reg [LOG2_DEPTH-1:0] entering;  // the place of the pixel that enters next, or has just entered
   reg [LOG2_DEPTH-1:0] leaving;  // of the one that leaves the core next
   reg [LOG2_DEPTH-1:0] sending;  // of the one that is read next
   reg [LOG2_DEPTH-1:0] stored;  // pixels in the memory that have left the core
@@ -347,21 +349,21 @@ module @NAME@_pixels #(
   wire move = is_read & (~m_axis_tvalid | m_axis_tready);
   wire read = waiting & (~is_read | ~m_axis_tvalid | m_axis_tready);
 
-  @NAME@_memory #(
+  @NAME@_@TAG_MEMORY@ #(
       .WIDTH(@TAG_BITS@),
       .LOG2_DEPTH(LOG2_DEPTH)
   ) tags (
       .clock(clock),
-      .write(enters),
+      .write(has_entered),
       .write_place(entering),
-      .write_data(tag),
+      .write_data(entered_tag),
       .read(read),
       .read_place(sending),
       .move(move),
       .data(sent_tag)
   );
 
-  @NAME@_memory #(
+  @NAME@_@COLOUR_MEMORY@ #(
       .WIDTH(24),
       .LOG2_DEPTH(LOG2_DEPTH)
   ) colours (
@@ -377,6 +379,7 @@ module @NAME@_pixels #(
 
   always @(posedge clock) begin
     if (reset) begin
+      has_entered <= 1'b0;
       entering <= {LOG2_DEPTH{1'b0}};
       leaving <= {LOG2_DEPTH{1'b0}};
       sending <= {LOG2_DEPTH{1'b0}};
@@ -386,16 +389,17 @@ module @NAME@_pixels #(
       m_axis_tvalid <= 1'b0;
       freed <= 1'b0;
     end else begin
-      if (enters) entering <= entering + 1'b1;
+      has_entered <= enters;
+      if (has_entered) entering <= entering + 1'b1;
       if (leaves) leaving <= leaving + 1'b1;
       if (read) sending <= sending + 1'b1;
-      if (leaves & ~read) stored <= stored + 1'b1;
-      else if (read & ~leaves) stored <= stored - 1'b1;
+      if (leaves ^ read) stored <= stored + {{LOG2_DEPTH - 1{~leaves}}, 1'b1};  // 1 more or 1 less
       waiting <= leaves | (|stored[LOG2_DEPTH-1:1]) | (stored[0] & ~read);
       is_read <= read | (is_read & ~move);
       m_axis_tvalid <= move | (m_axis_tvalid & ~m_axis_tready);
       freed <= read;
     end
+    entered_tag <= tag;
   end
 
 ?positions|  assign m_axis_tdata = {sent_tag[33:2], sent_colour};
@@ -404,7 +408,7 @@ module @NAME@_pixels #(
   assign m_axis_tlast = sent_tag[0];
 endmodule
 
-// @NAME@_memory: banks of up to 32 places, each with a register behind it, and a register behind all:
+// @NAME@_memory: banks of up to @BANK@ places, each with a register behind it, and a register behind all:
 // paths are as short in a large memory as in a small one.
 module @NAME@_memory #(
     parameter WIDTH = 24,
@@ -419,7 +423,7 @@ module @NAME@_memory #(
     input wire move,  // into the last register
     output reg [WIDTH-1:0] data
 );
-  localparam LOG2_BANK = LOG2_DEPTH > 5 ? 5 : LOG2_DEPTH - 1;
+  localparam LOG2_BANK = LOG2_DEPTH > @LOG2_BANK@ ? @LOG2_BANK@ : LOG2_DEPTH - 1;
   localparam LOG2_BANKS = LOG2_DEPTH - LOG2_BANK;
   localparam BANKS = 1 << LOG2_BANKS;
 
@@ -431,14 +435,18 @@ module @NAME@_memory #(
     for (number = 0; number < BANKS; number = number + 1) begin : banks
       @RAM_STYLE@reg [WIDTH-1:0] places[0:(1<<LOG2_BANK)-1];
       reg [WIDTH-1:0] word;
-      reg is_read;
+!lut_ram|      reg is_read;
       wire own = write_place[LOG2_DEPTH-1:LOG2_BANK] == number[LOG2_BANKS-1:0];
+?lut_ram|      wire other = read & (read_place[LOG2_DEPTH-1:LOG2_BANK] != number[LOG2_BANKS-1:0]);
       always @(posedge clock) begin
         if (write & own) places[write_place[LOG2_BANK-1:0]] <= write_data;
-        if (read) word <= places[read_place[LOG2_BANK-1:0]];
-        if (read) is_read <= read_place[LOG2_DEPTH-1:LOG2_BANK] == number[LOG2_BANKS-1:0];
+?lut_ram|        if (other) word <= {WIDTH{1'b0}};
+?lut_ram|        else if (read) word <= places[read_place[LOG2_BANK-1:0]];
+!lut_ram|        if (read) word <= places[read_place[LOG2_BANK-1:0]];
+!lut_ram|        if (read) is_read <= read_place[LOG2_DEPTH-1:LOG2_BANK] == number[LOG2_BANKS-1:0];
       end
-      assign words[WIDTH*number+:WIDTH] = word & {WIDTH{is_read}};
+?lut_ram|      assign words[WIDTH*number+:WIDTH] = word;
+!lut_ram|      assign words[WIDTH*number+:WIDTH] = word & {WIDTH{is_read}};
     end
   endgenerate
 
@@ -451,6 +459,72 @@ module @NAME@_memory #(
   always @(posedge clock) begin
     if (move) data <= chosen;
   end
+endmodule
+?block_ram|
+?block_ram|// @NAME@_block_memory: the same in a block RAM of an ECP5 with its output register, up to 512 places of 36
+?block_ram|// bits.
+?block_ram|module @NAME@_block_memory #(
+?block_ram|    parameter WIDTH = 24,
+?block_ram|    parameter LOG2_DEPTH = @LOG2_DEPTH@
+?block_ram|) (
+?block_ram|    input wire clock,
+?block_ram|    input wire write,
+?block_ram|    input wire [LOG2_DEPTH-1:0] write_place,
+?block_ram|    input wire [WIDTH-1:0] write_data,
+?block_ram|    input wire read,
+?block_ram|    input wire [LOG2_DEPTH-1:0] read_place,
+?block_ram|    input wire move,
+?block_ram|    output wire [WIDTH-1:0] data
+?block_ram|);
+?block_ram|`ifdef SYNTHESIS
+?block_ram|  wire [36:0] in = {{37 - WIDTH{1'b0}}, write_data};
+?block_ram|  wire [9:0] to = {{10 - LOG2_DEPTH{1'b0}}, write_place};
+?block_ram|  wire [9:0] from = {{10 - LOG2_DEPTH{1'b0}}, read_place};
+?block_ram|  wire [35:0] out;
+?block_ram|  assign data = out[WIDTH-1:0];
+?block_ram|  DP16KD #(
+?block_ram|      .DATA_WIDTH_A(36), .DATA_WIDTH_B(36), .REGMODE_B("OUTREG"), .GSR("DISABLED")
+?block_ram|  ) block (
+?block_ram|      .CLKA(clock), .CEA(write), .OCEA(1'b0), .WEA(1'b1), .RSTA(1'b0), .CSA0(1'b0), .CSA1(1'b0), .CSA2(1'b0),
+?block_ram|      .CLKB(clock), .CEB(read), .OCEB(move), .WEB(1'b0), .RSTB(1'b0), .CSB0(1'b0), .CSB1(1'b0), .CSB2(1'b0),
+?block_ram|      .DIA0(in[0]), .DIA1(in[1]), .DIA2(in[2]), .DIA3(in[3]), .DIA4(in[4]), .DIA5(in[5]),
+?block_ram|      .DIA6(in[6]), .DIA7(in[7]), .DIA8(in[8]), .DIA9(in[9]), .DIA10(in[10]), .DIA11(in[11]),
+?block_ram|      .DIA12(in[12]), .DIA13(in[13]), .DIA14(in[14]), .DIA15(in[15]), .DIA16(in[16]), .DIA17(in[17]),
+?block_ram|      .DIB0(in[18]), .DIB1(in[19]), .DIB2(in[20]), .DIB3(in[21]), .DIB4(in[22]), .DIB5(in[23]),
+?block_ram|      .DIB6(in[24]), .DIB7(in[25]), .DIB8(in[26]), .DIB9(in[27]), .DIB10(in[28]), .DIB11(in[29]),
+?block_ram|      .DIB12(in[30]), .DIB13(in[31]), .DIB14(in[32]), .DIB15(in[33]), .DIB16(in[34]), .DIB17(in[35]),
+?block_ram|      .ADA0(1'b1), .ADA1(1'b1), .ADA2(1'b1), .ADA3(1'b1), .ADA4(1'b0), .ADA5(to[0]), .ADA6(to[1]),
+?block_ram|      .ADA7(to[2]), .ADA8(to[3]), .ADA9(to[4]), .ADA10(to[5]), .ADA11(to[6]), .ADA12(to[7]), .ADA13(to[8]),
+?block_ram|      .ADB0(1'b0), .ADB1(1'b0), .ADB2(1'b0), .ADB3(1'b0), .ADB4(1'b0), .ADB5(from[0]), .ADB6(from[1]),
+?block_ram|      .ADB7(from[2]), .ADB8(from[3]), .ADB9(from[4]), .ADB10(from[5]), .ADB11(from[6]), .ADB12(from[7]), .ADB13(from[8]),
+?block_ram|      .DOA0(out[0]), .DOA1(out[1]), .DOA2(out[2]), .DOA3(out[3]), .DOA4(out[4]), .DOA5(out[5]),
+?block_ram|      .DOA6(out[6]), .DOA7(out[7]), .DOA8(out[8]), .DOA9(out[9]), .DOA10(out[10]), .DOA11(out[11]),
+?block_ram|      .DOA12(out[12]), .DOA13(out[13]), .DOA14(out[14]), .DOA15(out[15]), .DOA16(out[16]), .DOA17(out[17]),
+?block_ram|      .DOB0(out[18]), .DOB1(out[19]), .DOB2(out[20]), .DOB3(out[21]), .DOB4(out[22]), .DOB5(out[23]),
+?block_ram|      .DOB6(out[24]), .DOB7(out[25]), .DOB8(out[26]), .DOB9(out[27]), .DOB10(out[28]), .DOB11(out[29]),
+?block_ram|      .DOB12(out[30]), .DOB13(out[31]), .DOB14(out[32]), .DOB15(out[33]), .DOB16(out[34]), .DOB17(out[35])
+?block_ram|  );
+?block_ram|`else
+?block_ram|  reg [WIDTH-1:0] places[0:(1<<LOG2_DEPTH)-1];
+?block_ram|  reg [WIDTH-1:0] word;
+?block_ram|  reg [WIDTH-1:0] moved;
+?block_ram|  assign data = moved;
+?block_ram|  always @(posedge clock) begin
+?block_ram|    if (write) places[write_place] <= write_data;
+?block_ram|    if (read) word <= places[read_place];
+?block_ram|    if (move) moved <= word;
+?block_ram|  end
+?block_ram|`endif
+?block_ram|endmodule
+
+// @NAME@_reset: the reset, high. It stays a module in synthesis: where Yosys knows that a reset is the
+// inverse of a signal, each flip-flop that is reset has an inverter of its own.
+(* keep_hierarchy *)
+module @NAME@_reset (
+    input  wire low,
+    output wire high
+);
+  assign high = ~low;
 endmodule
 // verilator lint_on DECLFILENAME
 

@@ -70,7 +70,7 @@ module @NAME@_properties #(
     input wire lost_last,
 
     input wire shading,
-    input wire [15:0] left,
+    input wire [@COUNT_TOP@:0] left,
     input wire at_last,
     input wire at_first,
     input wire at_frame,
@@ -151,13 +151,13 @@ module @NAME@_properties #(
   always @(posedge clock) begin
     if (load) first_of_frame <= at_frame;
     was_shading <= ~reset & shading;
-    was_last <= complete & left == 16'd1;
+    was_last <= complete & left == @COUNT_BITS@'d1;
   end
   always @(*) if (~reset) begin
     if (was_shading & ~shading) shading_until_last: assert (was_last);
     if (shading) begin
-      shading_has_pixels: assert (left != 16'd0);
-      last_of_span: assert (at_last == (left == 16'd1));
+      shading_has_pixels: assert (left != @COUNT_BITS@'d0);
+      last_of_span: assert (at_last == (left == @COUNT_BITS@'d1));
       first_of_frame_only: assert (of_frame == (at_first & first_of_frame));
     end
     if (enter) enters_of_span: assert (shading);

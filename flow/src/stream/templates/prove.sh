@@ -19,7 +19,8 @@ for pair in @NAME@_formal:@NAME@_properties @NAME@_regs_formal:@NAME@_regs_forma
   any=no
   for name in $names; do if is_wanted "$name"; then any=yes; fi; done
   if [ $any = no ]; then continue; fi
-  yosys -q -p "read_verilog -formal @NAME@_formal.v @NAME@_axis.v @NAME@_regs.v; prep -flatten -top $top;
+  yosys -q -p "read_verilog -formal @NAME@_formal.v @NAME@_axis.v @NAME@_regs.v;
+    setattr -mod -unset keep_hierarchy @NAME@_reset; prep -flatten -top $top;
     memory_map; opt -full; techmap; opt -full; abc -g AND -fast; opt_clean; dffunmap; opt_expr; opt_clean;
     techmap; abc -g AND -fast; opt_clean; tee -q -o $top.properties select -list t:\$assert;
     write_aiger -zinit $top.aig"

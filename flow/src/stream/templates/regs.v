@@ -38,7 +38,11 @@ module @NAME@_regs (
     input  wire       blocked,      // a span waits for pixels to be taken
     input  wire       starved       // there is no span
 );
-  wire reset = ~aresetn;
+  wire reset;
+  @NAME@_reset reset_high (
+      .low(aresetn),
+      .high(reset)
+  );
 
   // Counters of clocks and of what happens in them. They begin again at 0 behind 2^32 - 1.
   reg [31:0] frames;
@@ -113,11 +117,22 @@ module @NAME@_regs (
 
   wire [3:0] place = s_axi_araddr[5:2];
   wire [31:0] status = {23'd0, busy, 5'd0, error};
-  wire [31:0] upper = place[0] ? starved_clocks : blocked_clocks;
-  wire [31:0] middle = place[1] ? (place[0] ? pixels : frames) : (place[0] ? status : 32'h@PACKET@);
-  wire [31:0] lower = place[1] ? (place[0] ? 32'h@CAPABILITY@ : 32'h@CORE@)
-                               : (place[0] ? 32'h@VERSION@ : 32'h@IDENTITY@);
-  wire [31:0] own = place[3] ? upper : place[2] ? middle : lower;
+  wire [31:0] counter = place[3] ? (place[0] ? starved_clocks : blocked_clocks)
+                                 : (place[0] ? pixels : frames);
+  wire counts = place[3] | (place[2] & place[1]);
+  reg [31:0] other;
+  always @(*) begin
+    case (place)
+      4'd0: other = 32'h@IDENTITY@;
+      4'd1: other = 32'h@VERSION@;
+      4'd2: other = 32'h@CORE@;
+      4'd3: other = 32'h@CAPABILITY@;
+      4'd4: other = 32'h@PACKET@;
+      4'd5: other = status;
+      default: other = 32'd0;
+    endcase
+  end
+  wire [31:0] own = (counter & {32{counts}}) | other;
   wire is_own = s_axi_araddr[11:6] == 6'd0 && place < 4'd10;
 
 ?frames|  reg [31:0] of_input;
