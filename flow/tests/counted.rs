@@ -57,7 +57,6 @@ fn check_cells(method: Method, targets: impl Iterator<Item = (SynthTarget, f64)>
     let frame = few_spans::frame(1993, 1, 3);
     let core = spec(&frame, method).specialised(&frame);
     for (synth, clock_mhz) in targets {
-        let begun = std::time::Instant::now();
         let made_for = TargetClock { name: synth.name.to_owned(), clock_mhz };
         let target = made_for.target().unwrap();
         let design =
@@ -66,7 +65,6 @@ fn check_cells(method: Method, targets: impl Iterator<Item = (SynthTarget, f64)>
         let counted = Counted::of(&design.to_block());
         let estimated = Resources::of(&design, &target);
         let made = synthesised(&design, &synth).unwrap();
-        println!("{:?}", begun.elapsed());
         println!("{method:?} {} {counted:?} {estimated:?} {made:?}", synth.name);
         assert_eq!(made.blocks, counted.blocks, "{method:?} on {}", synth.name);
         assert_eq!(estimated.blocks, counted.blocks, "{method:?} on {}", synth.name);

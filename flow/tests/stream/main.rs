@@ -1,5 +1,6 @@
 //! Cores with streams and registers around them, as simulators run them from the emitted files.
 mod block;
+mod block_ram;
 mod data_sheet;
 mod fusesoc;
 mod handshake;
