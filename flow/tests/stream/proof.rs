@@ -47,7 +47,7 @@ const FAULTS: [Fault; 11] = [
         "y, of_frame, at_last}),\n      .leaves",
         "column_arrives",
     ),
-    ("axis", "at_last <= left == 16'd2;", "at_last <= left == 16'd1;", "last_of_span"),
+    ("axis", "at_last <= left ==", "at_last <= left !=", "last_of_span"),
     ("axis", "if (whole & fits) full", "if (whole) full", "packet_is_whole"),
     ("axis", "& ~shading & drained;", "& ~shading;", "frame_when_empty"),
     ("regs", "if (frame) begin", "if (accepted) begin", "inputs_hold"),
