@@ -1,7 +1,7 @@
 //! What a target's clock makes of sums, products and delays.
 
 use specula_datapath::builder::Sig;
-use specula_datapath::design::Primitives;
+use specula_datapath::design::{Op, Primitives};
 use specula_datapath::pass::{Pipelining, compile};
 use specula_datapath::target::Target;
 use specula_datapath::verilog::{Delays, LongDelays};
@@ -43,4 +43,21 @@ fn memories_take_what_registers_give(design: &Design) -> bool {
         lines.iter().filter(|line| line.is_memory(LongDelays::Memories)).collect();
     assert!(!memories.is_empty());
     memories.iter().all(|line| core.wires()[line.input as usize].wire_type().stored)
+}
+
+/// 3x - 7y: 7 is 8 - 1, so what is computed is -7y = y - 8y, and it is added.
+#[test]
+fn a_sum_takes_over_the_sign_of_a_product() {
+    let terms = |builder: &Builder, [x, y]: [Sig; 2]| {
+        let [three, seven] = [3, 7].map(|factor| builder.integer(factor));
+        x * three - y * seven
+    };
+    let design = design(terms);
+    let subtracts_from_zero = |op: &Op| {
+        let Op::Sub(zero, _) = op else { return false };
+        design.node(*zero).op == Op::Constant(0)
+    };
+    assert!(!design.nodes.iter().any(|node| subtracts_from_zero(&node.op)));
+    let names: Vec<&str> = design.nodes.iter().map(|node| node.name.as_str()).collect();
+    assert!(names.iter().any(|name| name.contains("negative")), "{names:?}");
 }
