@@ -70,6 +70,7 @@ pub use narrowing::NarrowingPoint;
 pub use options::{CoreOptions, Specialise, UnnamedFormats};
 pub use packet_layout::{
     FieldContent, PacketField, PacketLayout, Positions, SpanHeader, WordWidth, built_format,
+    raw_value,
 };
 pub use parameters::{COEFFICIENT_FRACTION_BITS, CoreParameters, FULL_SCALE};
 pub use phong::{PhongInputs, PhongSpec};

@@ -141,6 +141,32 @@ impl PacketLayout {
         }
         words
     }
+
+    /// The header in the words of a packet, and the raw values of the inputs in it with their
+    /// numbers: what [`PacketLayout::pack`] was given. The position is 0 where packets have none.
+    pub fn unpack(&self, words: &[u64], word: WordWidth) -> (SpanHeader, Vec<(usize, i64)>) {
+        let mut header = SpanHeader { pixels: 0, last: false, position: [0; 2] };
+        let mut inputs = vec![];
+        for field in &self.fields {
+            let bits = get(words, word.bits(), field);
+            match field.content {
+                FieldContent::Pixels => header.pixels = bits as u32,
+                FieldContent::Last => header.last = bits == 1,
+                FieldContent::Zero => {}
+                FieldContent::X => header.position[0] = bits as u32,
+                FieldContent::Y => header.position[1] = bits as u32,
+                FieldContent::Input(number) => inputs.push((number, raw_value(field.format, bits))),
+            }
+        }
+        (header, inputs)
+    }
+}
+
+/// The raw value whose lowest bits, as many as a format has, are those of `bits`.
+pub fn raw_value(format: Format, bits: u64) -> i64 {
+    let above = u64::BITS - format.width();
+    let highest = bits << above;
+    if format.signed { highest as i64 >> above } else { (highest >> above) as i64 }
 }
 
 /// Writes the bits of a field's value into words of so many bits, which are 0 there.
@@ -157,6 +183,15 @@ fn put(words: &mut [u64], word_bits: u32, field: &PacketField, value: i64) {
         rest = rest.checked_shr(taken).unwrap_or(0);
         bit += taken;
     }
+}
+
+/// The bits of a field in words of so many bits.
+fn get(words: &[u64], word_bits: u32, field: &PacketField) -> u64 {
+    let bit = |number: u32| {
+        let at = field.first_bit + number;
+        words[(at / word_bits) as usize] >> (at % word_bits) & 1
+    };
+    (0..field.format.width()).fold(0, |bits, number| bits | bit(number) << number)
 }
 
 /// The format of a port as it is built: as wide as what it is given asks for.
@@ -218,6 +253,9 @@ mod tests {
                 assert_eq!(at(bit), bits.get(bit).copied().unwrap_or(false), "{word:?} {bit}");
             }
             assert!(words.iter().all(|&w| word == WordWidth::Bits64 || w < 1 << 32));
+            let (header, found) = layout.unpack(&words, word);
+            assert_eq!(header, SpanHeader { pixels: 0, ..HEADER });
+            assert!(found.into_iter().eq(inputs.into_iter().enumerate()));
         }
     }
 }

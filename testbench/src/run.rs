@@ -1,6 +1,6 @@
 //! The whole path from a frame to compared pixels.
 use std::ops::Range;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 use std::time::Instant;
 
 use specula_datapath::Design;
@@ -89,8 +89,20 @@ pub struct Bench<'a> {
     first_pixels: FirstPixels,
     /// The spans as they are set up for the first run; later runs and traces need them again.
     kept: OnceLock<KeptSpans>,
-    /// The seed of random bubbles between time slots; none where they follow each other.
-    bubbles: Option<u64>,
+    entry: Entry,
+}
+
+/// When time slots of pixels go in.
+enum Entry {
+    /// One in each clock.
+    Consecutive,
+    /// With random bubbles between them.
+    Bubbles {
+        /// Their seed.
+        seed: u64,
+    },
+    /// In these clocks.
+    At(Arc<[u64]>),
 }
 
 /// What came of a run.
@@ -99,6 +111,8 @@ pub struct Outcome {
     pub pixels: u64,
     /// Clocks from the first pixel's entry to the last one's exit, both counted.
     pub cycles: u64,
+    /// Red, green and blue of each pixel, in the order in which they left the core.
+    pub codes: Vec<[u8; 3]>,
     /// The simulated picture.
     pub simulated: Image,
     /// How it compares.
@@ -149,14 +163,21 @@ impl<'a> Bench<'a> {
     pub fn new(frame: &'a Frame, spec: &'a CoreSpec, name: &str) -> Result<Bench<'a>, BenchError> {
         let design = specula_hdl::elaborate(spec, name)?;
         let spans = FrameSpans::new(frame, spec);
-        let first_pixels = FirstPixels::of(&spans);
-        Ok(Bench { frame, spec, design, spans, first_pixels, kept: OnceLock::new(), bubbles: None })
+        let (first_pixels, entry) = (FirstPixels::of(&spans), Entry::Consecutive);
+        Ok(Bench { frame, spec, design, spans, first_pixels, kept: OnceLock::new(), entry })
     }
 
     /// The same bench with random bubbles of 0 to 4 clocks before each time slot of a pixel. The same
     /// seed gives the same bubbles.
     pub fn with_bubbles(self, seed: u64) -> Bench<'a> {
-        Bench { bubbles: Some(seed), ..self }
+        Bench { entry: Entry::Bubbles { seed }, ..self }
+    }
+
+    /// The same bench with the packets of the frame's spans as a host has sent them, and with their
+    /// time slots in these clocks, one behind the other.
+    pub fn entering_at(self, packets: &dyn SpanSource, clocks: Vec<u64>) -> Bench<'a> {
+        let kept = OnceLock::from(KeptSpans::of(packets));
+        Bench { kept, entry: Entry::At(clocks.into()), ..self }
     }
 
     /// Clocks from the first pixel's entry to the last one's exit, both counted.
@@ -233,6 +254,7 @@ impl<'a> Bench<'a> {
             pixels: stimulus.pixels(),
             cycles: clocks_of(&stimulus, &self.design),
             simulated: self.picture(&codes),
+            codes,
             comparison,
             wrong_clocks,
             facts_seen: facts.seen,
@@ -281,9 +303,10 @@ impl<'a> Bench<'a> {
     /// The whole run of a source's spans.
     fn stimulus<'s>(&self, spans: &'s dyn SpanSource, first_pixels: &FirstPixels) -> Stimulus<'s> {
         let stimulus = Stimulus::in_order(spans, first_pixels, &self.design);
-        match self.bubbles {
-            Some(seed) => stimulus.with_bubbles(seed),
-            None => stimulus,
+        match &self.entry {
+            Entry::Consecutive => stimulus,
+            Entry::Bubbles { seed } => stimulus.with_bubbles(*seed),
+            Entry::At(clocks) => stimulus.entering_at(clocks),
         }
     }
 

@@ -23,6 +23,7 @@ use crate::job::Job;
 use crate::output::{Destination, Interrupts, REPORT};
 use crate::report::{self, Report};
 use crate::run::{DEFAULT_ENGINE, Run, simulate};
+use crate::stream_top::{StreamOutcome, StreamedFrame, Top};
 use crate::target_arguments::CLOCK_HELP;
 use crate::trace_file::TraceFormat;
 use crate::verdict::Verdict;
@@ -36,10 +37,14 @@ for `--core` and `generate --spec`), report.md, report.json and report.html (one
 in it). DIR is replaced as a whole once everything is written; files in it that Specula did not write \
 stay.
 
+With `--top axis` the frame's packets go through the core's stream top, and every pixel that comes out of it is compared, with its marks and its position; `--stalls` pauses both streams at random. The fast engine and rust-hdl run the core behind a model of the stream top; Icarus and Verilator run the whole block's Verilog besides.
+
 Exit status: 0 if every pixel agrees and no quantisation error is above its proven bound, 1 if not,
 2 if the run could not be made.
 
-Example: specula run teapot --size 320x240 --method hybrid --trace span=100";
+Examples:
+  specula run teapot --size 320x240 --method hybrid --trace span=100
+  specula run teapot --top axis --stalls 7";
 
 /// Arguments of `run`.
 #[derive(Clone, Debug, Args)]
@@ -60,6 +65,12 @@ pub struct Arguments {
     /// Engine that simulates the core
     #[arg(long, default_value = DEFAULT_ENGINE.name(), value_parser = engine_parser())]
     engine: EngineKind,
+    /// What is simulated
+    #[arg(long, value_name = "TOP", default_value = "core")]
+    top: Top,
+    /// Random pauses by this seed: of the core between pixels, of a stream top on both sides
+    #[arg(long, value_name = "SEED", value_parser = clap::value_parser!(u32).range(1..))]
+    stalls: Option<u32>,
     /// Clocks in the waveform: worst (200 around the largest error), none, span=N, cycles=A..B or
     /// all. If the core disagrees with its models or an error is above its bound, worst and none
     /// give 200 around that
@@ -86,9 +97,13 @@ pub fn execute(
     let bench = Bench::new(&job.scene.frame, job.spec(), &job.module())?;
     let fitted = arguments.wanted.made_for.fitted(bench.spec, &bench.design)?;
     waveform::check(&arguments.trace, &bench)?;
+    let (bench, streamed) = arguments.entering(&job, bench)?;
     let outcome = simulate(&bench, arguments.engine)?;
+    let stream = streamed
+        .map(|streamed| streamed.outcome(&job, &bench, &outcome, arguments.engine))
+        .transpose()?;
 
-    let run = run_of(arguments, &job, &bench, fitted, &outcome);
+    let run = run_of(arguments, &job, &bench, fitted, (&outcome, stream));
     let text = write(arguments, begin, &destination, &run)?;
     write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
     Ok(verdict(run.disagreement.as_ref()))
@@ -101,6 +116,23 @@ impl Arguments {
             None => Job::of_scene(&self.scene, &self.wanted, &self.name),
             Some(core) => Job::with_core(&self.scene, core, &self.name),
         }
+    }
+
+    /// The bench with the clocks in which pixels go in, and the frame in the stream top that tells
+    /// them, if there is one.
+    fn entering<'a>(
+        &self,
+        job: &Job,
+        bench: Bench<'a>,
+    ) -> Result<(Bench<'a>, Option<StreamedFrame>), ToolError> {
+        Ok(match (self.top, self.stalls) {
+            (Top::Core, None) => (bench, None),
+            (Top::Core, Some(seed)) => (bench.with_bubbles(seed.into()), None),
+            (Top::Axis, stalls) => {
+                let streamed = StreamedFrame::new(job, &bench.design, stalls.unwrap_or(0))?;
+                (streamed.bench(bench), Some(streamed))
+            }
+        })
     }
 
     /// The clock at which frames are counted.
@@ -116,10 +148,10 @@ fn run_of<'a>(
     job: &'a Job,
     bench: &'a Bench<'a>,
     fitted: Option<Fitted>,
-    outcome: &'a Outcome,
+    (outcome, stream): (&'a Outcome, Option<StreamOutcome>),
 ) -> Run<'a> {
     let is_general = bench.spec.specialisation.is_general();
-    let disagreement = Disagreement::of(outcome, bench);
+    let disagreement = Disagreement::of(outcome, bench, stream.as_ref());
     let trace = waveform::choice(&arguments.trace, disagreement.as_ref());
     Run {
         job,
@@ -133,6 +165,7 @@ fn run_of<'a>(
         bound_shares: bound_shares(bench.spec, bench.frame, bench.design.error_bound()),
         savings: if is_general { None } else { ablation(&job.scene, bench.spec, None).ok() },
         outcome,
+        stream,
         window: bench.window(&trace, outcome),
         trace,
     }

@@ -1,6 +1,8 @@
 //! Disagreements of a run: everything that differs from what is expected.
 use specula_testbench::{Bench, Mismatch, MovedInput, Outcome, Violation, WorstQuantisation};
 
+use crate::stream_top::{StreamFault, StreamOutcome};
+
 /// All disagreements of a run, with the first of each kind in full.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Disagreement {
@@ -18,6 +20,8 @@ pub struct Disagreement {
     pub moved_input: Option<MovedInput>,
     /// The largest quantisation error that is above its bound.
     pub beyond_bound: Option<BeyondBound>,
+    /// The first thing that is wrong in the streams around the core.
+    pub stream: Option<StreamFault>,
 }
 
 /// A quantisation error above its proven bound.
@@ -34,8 +38,13 @@ pub struct BeyondBound {
 }
 
 impl Disagreement {
-    /// The disagreements in the `outcome` of a bench; `None` if there are none.
-    pub fn of(outcome: &Outcome, bench: &Bench) -> Option<Disagreement> {
+    /// The disagreements in the `outcome` of a bench, and in that of the core's streams if they were
+    /// simulated; `None` if there are none.
+    pub fn of(
+        outcome: &Outcome,
+        bench: &Bench,
+        stream: Option<&StreamOutcome>,
+    ) -> Option<Disagreement> {
         let with_clock = |mismatch: &Mismatch| {
             (mismatch.clone(), bench.leaving_clock(mismatch.span, mismatch.pixel))
         };
@@ -52,8 +61,9 @@ impl Disagreement {
                 bound_lsb: outcome.bound_lsb,
                 pixels: outcome.comparison.beyond_bound,
             }),
+            stream: stream.and_then(|stream| stream.fault.clone()),
         };
-        (!outcome.agrees()).then_some(disagreement)
+        (!outcome.agrees() || disagreement.stream.is_some()).then_some(disagreement)
     }
 
     /// The first clock in which a disagreement is visible.
@@ -64,7 +74,8 @@ impl Disagreement {
         // A core with an error above its bound still agrees with its model, so that clock counts
         // only if nothing else disagrees.
         let moved = self.moved_input.as_ref().map(|moved| moved.clock);
-        let first = [mismatch, self.first_wrong_clock, violation, moved];
+        let stream = self.stream.as_ref().and_then(|fault| fault.cycle);
+        let first = [mismatch, self.first_wrong_clock, violation, moved, stream];
         let first = first.into_iter().flatten().min();
         first.or(beyond).unwrap_or(0)
     }
@@ -87,13 +98,14 @@ impl Disagreement {
         let fact = self.violation.as_ref().map(Violation::in_words);
         let beyond = self.beyond_bound.as_ref().map(BeyondBound::in_words);
         let moved = self.moved_input.as_ref().map(MovedInput::in_words);
-        [pixel, clocks, fact, moved, beyond].into_iter().flatten().collect()
+        let stream = self.stream.as_ref().map(|fault| fault.in_words.clone());
+        [pixel, clocks, fact, moved, beyond, stream].into_iter().flatten().collect()
     }
 
     /// Whether an error above its bound is the only disagreement: every pixel is the model's and
     /// leaves in its clock, every fact holds, and every input stands still.
     pub fn is_bound_only(&self) -> bool {
-        let holds = self.violation.is_none() && self.moved_input.is_none();
+        let holds = self.violation.is_none() && self.moved_input.is_none() && self.stream.is_none();
         self.mismatches == 0 && self.wrong_clocks == 0 && holds
     }
 }

@@ -7,6 +7,7 @@ use specula_experiments::benchmark::MeasureError;
 use specula_experiments::formats::NotProven;
 use specula_experiments::search::NotFound;
 use specula_experiments::tradeoff::{JournalError, SweepError};
+use specula_flow::stream::Stuck;
 use specula_flow::synth::SynthError;
 use specula_scene::SceneError;
 use specula_spec::{CoreError, SpecError};
@@ -100,15 +101,16 @@ pub enum ToolError {
     )]
     NoScene,
     /// There are no spans for a bench.
-    #[error("no triangle of `{scene}` is to be seen, so there are no vectors for a bench")]
-    #[diagnostic(
-        code(specula::generate::vectors),
-        help("turn the camera, or name another scene with `--vectors`")
-    )]
+    #[error("no triangle of `{scene}` is to be seen, so there are no packets for a bench")]
+    #[diagnostic(code(specula::generate::vectors), help("turn the camera, or name another scene"))]
     NoVectors {
         /// The scene.
         scene: String,
     },
+    /// A stream top stands still.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Stuck(#[from] Stuck),
     /// Several files are to go to standard output.
     #[error("a block is many files, which standard output cannot take")]
     #[diagnostic(

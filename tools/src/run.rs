@@ -12,6 +12,7 @@ use crate::disagreement::Disagreement;
 use crate::error::ToolError;
 use crate::job::Job;
 use crate::progress;
+use crate::stream_top::StreamOutcome;
 use crate::trace_file::TraceFormat;
 
 /// The engine that simulates unless another one is chosen.
@@ -51,6 +52,8 @@ pub struct Run<'a> {
     pub fitted: Option<Fitted>,
     /// The outcome of the simulation.
     pub outcome: &'a Outcome,
+    /// The outcome of its streams, if they were simulated.
+    pub stream: Option<StreamOutcome>,
     /// What disagrees, if anything does.
     pub disagreement: Option<Disagreement>,
     /// The contribution of each narrowing point to the bound.

@@ -6,7 +6,7 @@ use super::library::Library;
 use super::method_text::program;
 use super::program::{Given, Holder, Kind, Part, Source};
 use crate::stream::template::Values;
-use crate::stream::{FrameInput, StreamCore};
+use crate::stream::{FrameInput, HostCall, StreamCore};
 
 /// Where the raw value of an input goes.
 #[derive(Clone, Debug, PartialEq)]
@@ -146,6 +146,14 @@ impl<'a> HostCode<'a> {
     pub fn packets_need_the_frame(&self) -> bool {
         let needs = |source: &Source| !self.is_of_spans(source.holder);
         self.packet.part.sources.iter().any(needs)
+    }
+
+    /// How it is called.
+    pub fn call(&self) -> HostCall {
+        HostCall {
+            has_frame: self.has_frame(),
+            packets_need_the_frame: self.packets_need_the_frame(),
+        }
     }
 
     /// Whether it may be computed with float: not where directions are made of nearly equal

@@ -23,18 +23,17 @@ pub use float_error::float_error;
 pub use host_values::host_value;
 pub use program::{Given, Holder, Kind, Number, Part, Source};
 
-use crate::stream::{File, StreamCore};
+use crate::stream::File;
 
 /// The host code of a block: a header for C, a module for Python, and an example of each. The
 /// module is called as the block is, since a core may have the name of a keyword or of another module.
-pub fn files(core: &StreamCore, example: &ExampleSpan) -> Vec<File> {
-    let code = HostCode::new(core);
-    let name = core.name();
+pub fn files(code: &HostCode, example: &ExampleSpan) -> Vec<File> {
+    let name = code.core.name();
     let file = |suffix: &str, text: String| File { name: format!("{name}{suffix}"), text };
     vec![
-        file(".h", c::header(&code)),
-        file("_ip.py", python::module(&code)),
-        file("_host.c", example::c_program(&code, example)),
-        file("_host.py", example::python_program(&code, example)),
+        file(".h", c::header(code)),
+        file("_ip.py", python::module(code)),
+        file("_host.c", example::c_program(code, example)),
+        file("_host.py", example::python_program(code, example)),
     ]
 }

@@ -11,9 +11,12 @@ mod files;
 mod fill;
 mod formal;
 mod handshake;
+mod model;
 mod packet_table;
+mod record;
 mod register_map;
 mod register_table;
+mod simulator;
 mod synthesis;
 mod system_rdl;
 pub(crate) mod template;
@@ -24,9 +27,12 @@ use specula_datapath::Design;
 use specula_datapath::design::ScopeId;
 use specula_spec::{CoreSpec, Hold, PacketLayout, Positions, WordWidth};
 
-pub use files::{File, files};
+pub use files::{File, HostCall, bench_files, files};
 pub use handshake::Handshake;
+pub use model::{StreamRun, Stuck};
+pub use record::{SentPixel, StreamDifference, StreamRecord};
 pub use register_map::{FrameInput, Register, register_map};
+pub use simulator::{BlockRun, BlockSimulator};
 pub use vectors::{FrameVectors, SpanVector, Vectors};
 pub use waveform::{Row, Window};
 

@@ -72,7 +72,7 @@ impl<'a> Vectors<'a> {
         let mut text = self.head("words of packets: the first of a frame, tlast, word");
         for frame in self.frames {
             for (number, span) in frame.spans.iter().enumerate() {
-                let words = self.core.layout.pack(&span.header, &span.inputs, self.core.word);
+                let words = self.core.packet(span);
                 let SpanHeader { pixels, position: [x, y], .. } = span.header;
                 // Writing to a String cannot fail, here and below.
                 let _ = writeln!(text, "// {pixels} pixels from {x}, {y} on");
@@ -89,21 +89,27 @@ impl<'a> Vectors<'a> {
 
     /// The pixels that have to come out. Above each stand `tuser` and `tlast`.
     pub fn pixels(&self) -> String {
-        let bits = self.core.pixel_bits();
-        let digits = (bits as usize + 2).div_ceil(4);
+        let digits = (self.core.pixel_bits() as usize + 2).div_ceil(4);
         let mut text =
             self.head("pixels: tuser, tlast, row and column where they are sent, b, g, r");
+        for line in self.marked_pixels() {
+            let _ = writeln!(text, "{line:0digits$x}");
+        }
+        text
+    }
+
+    /// The same pixels as numbers.
+    pub fn marked_pixels(&self) -> Vec<u64> {
+        let mut pixels = vec![];
         for frame in self.frames {
             for (number, span) in frame.spans.iter().enumerate() {
                 for (i, pixel) in self.core.pixel_words(span).into_iter().enumerate() {
-                    let ends = u64::from(i + 1 == span.codes.len());
-                    let begins = u64::from(number == 0 && i == 0);
-                    let line = pixel | ends << bits | begins << (bits + 1);
-                    let _ = writeln!(text, "{line:0digits$x}");
+                    let ends = i + 1 == span.codes.len();
+                    pixels.push(self.core.marked(pixel, number == 0 && i == 0, ends));
                 }
             }
         }
-        text
+        pixels
     }
 
     /// What is written to registers before each frame: number of the frame, address, word.
@@ -118,7 +124,7 @@ impl<'a> Vectors<'a> {
     }
 
     /// Addresses and words of what is written before a frame.
-    fn frame_writes(&self, frame: usize) -> Vec<(u32, u32)> {
+    pub(super) fn frame_writes(&self, frame: usize) -> Vec<(u32, u32)> {
         let first = self.frames[frame].spans.first();
         let words = |span: &SpanVector| {
             let inputs = self.core.frame_inputs();
@@ -134,16 +140,31 @@ impl<'a> Vectors<'a> {
 }
 
 impl StreamCore<'_> {
+    /// The words of a span's packet.
+    pub(super) fn packet(&self, span: &SpanVector) -> Vec<u64> {
+        self.layout.pack(&span.header, &span.inputs, self.word)
+    }
+
     /// The pixels of a span as they stand in the stream.
     pub(super) fn pixel_words(&self, span: &SpanVector) -> Vec<u64> {
-        let [x, y] = span.header.position.map(u64::from);
-        let pixel = |(i, &[red, green, blue]): (u64, &[u8; 3])| {
-            let colour = u64::from(u32::from_le_bytes([red, green, blue, 0]));
-            match self.layout.positions {
-                Positions::Absent => colour,
-                Positions::Sent => colour | (x + i) << 24 | y << 40,
-            }
-        };
-        (0..).zip(&span.codes).map(pixel).collect()
+        let [x, y] = span.header.position;
+        (x..).zip(&span.codes).map(|(x, &code)| self.pixel_word(code, [x, y])).collect()
+    }
+
+    /// A pixel as it stands in the stream.
+    pub(super) fn pixel_word(&self, [red, green, blue]: [u8; 3], position: [u32; 2]) -> u64 {
+        let colour = u64::from(u32::from_le_bytes([red, green, blue, 0]));
+        let [x, y] = position.map(u64::from);
+        match self.layout.positions {
+            Positions::Absent => colour,
+            Positions::Sent => colour | x << 24 | y << 40,
+        }
+    }
+
+    /// A pixel with its marks above it: whether it is the first one of its frame, `tuser`, and the
+    /// last one of its span, `tlast`.
+    pub(super) fn marked(&self, pixel: u64, first: bool, last: bool) -> u64 {
+        let bits = self.pixel_bits();
+        pixel | u64::from(last) << bits | u64::from(first) << (bits + 1)
     }
 }

@@ -90,7 +90,8 @@ impl HostedCore {
         let example =
             ExampleSpan { frame: &self.frame, span: &self.frame.spans[0], is_last: false };
         let name = format!("{}{suffix}", self.name);
-        let mut files = files(&self.stream(), &example).into_iter();
+        let stream = self.stream();
+        let mut files = files(&HostCode::new(&stream), &example).into_iter();
         files.find(|file| file.name == name).expect("it is written").text
     }
 

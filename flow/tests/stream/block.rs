@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use specula_fixtures::few_spans;
-use specula_flow::stream::{FrameVectors, Handshake, StreamCore, StreamShape, files};
+use specula_flow::host::HostCode;
+use specula_flow::stream::{File, FrameVectors, Handshake, StreamCore, StreamShape, files};
 use specula_scene::{Frame, Needs};
 use specula_spec::{CoreOptions, CoreSpec, Method, Positions, SpecFile, WordWidth};
 use specula_testbench::{FrameSpans, expected_codes};
@@ -50,31 +51,53 @@ pub fn core(method: Method, frames: &[Frame], shared: bool) -> CoreSpec {
     CoreSpec::for_scene(&Needs::of(&frames[0]), Some(&options), Some(method)).expect("it is one")
 }
 
+/// The name of every core.
+const NAME: &str = "shader";
+
+/// What `used` makes of a core with streams and of these frames' vectors.
+pub fn with_core<T>(
+    spec: &CoreSpec,
+    frames: &[Frame],
+    shape: StreamShape,
+    used: impl FnOnce(&StreamCore, &[FrameVectors]) -> T,
+) -> T {
+    let design = specula_hdl::elaborate(spec, NAME).expect("it can be built");
+    let text = SpecFile { name: NAME.to_owned(), spec: spec.clone() }.text();
+    let vectors = |frame: &Frame| {
+        let spans = FrameSpans::new(frame, spec);
+        let codes = expected_codes(spec, &spans, frame.spans.len()).expect("packets fit");
+        FrameVectors::new(&frame.spans, &spans, &codes)
+    };
+    let vectors: Vec<FrameVectors> = frames.iter().map(vectors).collect();
+    used(&StreamCore::new(spec, &design, shape, &text), &vectors)
+}
+
 impl Block {
     /// Writes the files of a core with these frames as vectors.
     pub fn new(spec: &CoreSpec, frames: &[Frame], shape: StreamShape) -> Block {
-        let name = "shader".to_owned();
-        let design = specula_hdl::elaborate(spec, &name).expect("it can be built");
-        let text = SpecFile { name: name.clone(), spec: spec.clone() }.text();
-        let core = StreamCore::new(spec, &design, shape, &text);
-        let vectors = |frame: &Frame| {
-            let spans = FrameSpans::new(frame, spec);
-            let codes = expected_codes(spec, &spans, frame.spans.len()).expect("packets fit");
-            FrameVectors::new(&frame.spans, &spans, &codes)
+        with_core(spec, frames, shape, |core, vectors| {
+            let folder = TempDir::new().expect("there is room for a folder");
+            let header = specula_datapath::verilog::Header::default();
+            let text = specula_datapath::verilog::print(&core.design.to_block(), &header);
+            let own = File { name: format!("{NAME}.v"), text };
+            let call = HostCode::new(core).call();
+            let files = files(core, vectors, "specula generate", call);
+            for File { name, text } in files.iter().chain([&own]) {
+                fs::write(folder.path().join(name), text).expect("a file can be written");
+            }
+            let handshake = Handshake::new(core, vectors).expect("there is a span");
+            let (words_a_packet, latency) = (core.words(), core.design.latency());
+            Block { folder, words_a_packet, latency, handshake }
+        })
+    }
+
+    /// The texts of all files.
+    pub fn files(&self) -> Vec<File> {
+        let file = |name: String| {
+            let text = fs::read_to_string(self.path(&name)).expect("the file is there");
+            File { name, text }
         };
-        let vectors: Vec<FrameVectors> = frames.iter().map(vectors).collect();
-        let folder = TempDir::new().expect("there is room for a folder");
-        let written = |name: &str, text: &str| {
-            fs::write(folder.path().join(name), text).expect("a file can be written");
-        };
-        let header = specula_datapath::verilog::Header::default();
-        let verilog = specula_datapath::verilog::print(&design.to_block(), &header);
-        written(&format!("{name}.v"), &verilog);
-        for file in files(&core, &vectors, "specula generate") {
-            written(&file.name, &file.text);
-        }
-        let handshake = Handshake::new(&core, &vectors).expect("there is a span");
-        Block { folder, words_a_packet: core.words(), latency: design.latency(), handshake }
+        self.names().into_iter().map(file).collect()
     }
 
     /// The path of a file.

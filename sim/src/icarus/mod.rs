@@ -12,14 +12,16 @@ use crate::{Batch, Engine, Flow, SimError, Stimulus};
 use bench::Watch;
 
 const INSTALL: &str = "install it with `apt install iverilog` (Debian, Ubuntu) or `brew install icarus-verilog` (macOS)";
-const COMPILER: Tool = Tool {
+/// Icarus Verilog's compiler.
+pub const ICARUS: Tool = Tool {
     name: "Icarus Verilog",
     command: "iverilog",
     version_argument: "-V",
     install: INSTALL,
     otherwise: OTHER_ENGINE,
 };
-const SIMULATOR: Tool = Tool { command: "vvp", ..COMPILER };
+/// Icarus Verilog's program that runs what the compiler makes.
+pub const ICARUS_RUNTIME: Tool = Tool { command: "vvp", ..ICARUS };
 
 /// Runs a design's Verilog in Icarus.
 ///
@@ -70,8 +72,8 @@ impl<'a> Icarus<'a> {
     /// # Errors
     /// [`SimError::ToolAbsent`] says how to install it.
     pub fn present() -> Result<(), SimError> {
-        COMPILER.present()?;
-        SIMULATOR.present()
+        ICARUS.present()?;
+        ICARUS_RUNTIME.present()
     }
 
     /// Builds the program that watching these signals needs, unless it was built last.
@@ -93,7 +95,7 @@ impl<'a> Icarus<'a> {
         let files = ["-s", bench::NAME, "-o", "run.vvp", "bench.v", source];
         let arguments = ["-g2001"].iter().chain(self.warnings).chain(&files);
         let arguments: Vec<String> = arguments.map(|&argument| argument.to_owned()).collect();
-        COMPILER.run(self.workshop.path(), &arguments)?;
+        ICARUS.run(self.workshop.path(), &arguments)?;
         self.build_time += begin.elapsed();
         self.built = Some(watch);
         Ok(())
@@ -121,23 +123,16 @@ impl Engine for Icarus<'_> {
         }
         self.prepare(watched)?;
         self.workshop.write_stimulus(stimulus, self.design)?;
-        SIMULATOR.run(self.workshop.path(), &["-n", "run.vvp"].map(str::to_owned))?;
+        ICARUS_RUNTIME.run(self.workshop.path(), &["-n", "run.vvp"].map(str::to_owned))?;
         let clocks = stimulus.clocks();
         if self.built == Some(Watch::Everything) {
             let trace = Trace {
-                tool: COMPILER.name,
+                tool: ICARUS.name,
                 root: &[bench::NAME, bench::INSTANCE],
                 sampling: bench::SAMPLING,
             };
             return trace.read(self.workshop.open(TRACE)?, self.design, watched, clocks, sink);
         }
-        read_results(
-            self.workshop.open(RESULTS)?,
-            COMPILER.name,
-            self.design,
-            watched,
-            clocks,
-            sink,
-        )
+        read_results(self.workshop.open(RESULTS)?, ICARUS.name, self.design, watched, clocks, sink)
     }
 }

@@ -17,6 +17,7 @@ mod hold;
 mod spans;
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use specula_datapath::Design;
 
@@ -66,6 +67,14 @@ impl<'a> Stimulus<'a> {
     /// gives the same bubbles.
     pub fn with_bubbles(self, seed: u64) -> Stimulus<'a> {
         self.paused(Some(seed))
+    }
+
+    /// The same whole run with its time slots in these clocks: one for each, in order, none before
+    /// the core's inputs for a frame have settled.
+    pub fn entering_at(self, clocks: &Arc<[u64]>) -> Stimulus<'a> {
+        let idle = self.clocks.end - self.slots.clock_of(self.slots.count());
+        let slots = SlotClocks::given(clocks.clone());
+        Stimulus { clocks: 0..slots.clock_of(slots.count()) + idle, slots, ..self }
     }
 
     /// The same whole run with the clocks that frames need between them, and with a seed random

@@ -20,7 +20,8 @@ pub use library::Library;
 use program::{PROGRAM, Program};
 pub use timed::{Keeping, TimedVerilator, Timing};
 
-const VERILATOR: Tool = Tool {
+/// Verilator, version 5.
+pub const VERILATOR: Tool = Tool {
     name: "Verilator",
     command: "verilator",
     version_argument: "--version",

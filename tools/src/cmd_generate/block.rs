@@ -4,12 +4,12 @@ use std::convert::Infallible;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use specula_datapath::Design;
-use specula_flow::host::{self, ExampleSpan};
-use specula_flow::stream::{self, File, FrameVectors, StreamCore, StreamShape};
+use specula_flow::host::{self, ExampleSpan, HostCode};
+use specula_flow::stream::{self, File, StreamCore, StreamShape};
 use specula_spec::{Positions, WordWidth};
-use specula_testbench::{FrameSpans, expected_codes};
 
 use crate::error::ToolError;
+use crate::frame_vectors::frame_vectors;
 use crate::html::{self, ReportFiles};
 use crate::job::Job;
 
@@ -46,12 +46,14 @@ impl BlockArguments {
     pub fn files(&self, job: &Job, design: &Design) -> Result<Vec<(String, String)>, ToolError> {
         let core = StreamCore::new(job.spec(), design, self.shape(), &job.file.text());
         let command = format!("{} --ip{}", job.origin.command, self.in_words());
-        let vectors = self.frame(job)?;
+        let asked = self.spans.map_or(usize::MAX, |spans| spans as usize);
+        let vectors = frame_vectors(job, asked)?;
         let frame = &job.scene.frame;
         let is_last = vectors.spans.len() == 1;
         let example = ExampleSpan { frame, span: &frame.spans[0], is_last };
-        let mut files = stream::files(&core, &[vectors], &command);
-        files.extend(host::files(&core, &example));
+        let code = HostCode::new(&core);
+        let mut files = stream::files(&core, &[vectors], &command, code.call());
+        files.extend(host::files(&code, &example));
         let page = data_sheet(core.name(), &files);
         Ok(files.into_iter().chain([page]).map(|file| (file.name, file.text)).collect())
     }
@@ -67,19 +69,6 @@ impl BlockArguments {
         let positions = if self.positions { " --positions" } else { "" };
         let spans = self.spans.map(|spans| format!(" --spans {spans}")).unwrap_or_default();
         format!("{word}{positions}{spans}")
-    }
-
-    /// What goes in and has to come out.
-    fn frame(&self, job: &Job) -> Result<FrameVectors, ToolError> {
-        let frame = &job.scene.frame;
-        let spans = FrameSpans::new(frame, job.spec());
-        let asked = self.spans.map_or(usize::MAX, |spans| spans as usize);
-        let count = frame.spans.len().min(asked);
-        if count == 0 {
-            return Err(ToolError::NoVectors { scene: job.scene.name.clone() });
-        }
-        let codes = expected_codes(job.spec(), &spans, count)?;
-        Ok(FrameVectors::new(&frame.spans[..count], &spans, &codes))
     }
 }
 

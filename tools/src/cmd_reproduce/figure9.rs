@@ -103,7 +103,7 @@ fn shaded(
     Ok(Shaded {
         line: Line::new((row, number), &bench, &outcome, error),
         verilog: verilog::text(&origin, &spec, &bench.design),
-        disagreement: Disagreement::of(&outcome, &bench),
+        disagreement: Disagreement::of(&outcome, &bench, None),
         simulated: outcome.simulated,
     })
 }

@@ -40,7 +40,7 @@ fn spoilt_run(
     let mut outcome = simulate(&bench, arguments.engine).expect("the engine works");
     assert!(outcome.agrees());
     let clock = spoil(&mut outcome);
-    let run = run_of(&arguments, &job, &bench, None, &outcome);
+    let run = run_of(&arguments, &job, &bench, None, (&outcome, None));
     let destination =
         Destination::check(folder, &artifacts::names(&run.module), &Interrupts::default())
             .expect("the folder can be written");
@@ -92,6 +92,28 @@ fn a_waveform_is_left_though_none_was_asked_for() {
     let place = TempDir::new().expect("there is room");
     spoilt_run(&["--trace", "none"], &place.path().join("run"), spoil_a_pixel);
     assert!(place.path().join("run").join(TraceFormat::Vcd.file_name()).exists());
+}
+
+/// The core gives a pixel another colour than the stream has to show.
+#[test]
+fn a_wrong_stream_is_named() {
+    let arguments = arguments(&["--top", "axis", "--stalls", "3", "--trace", "none"]);
+    let job = arguments.job().expect("the scene is built in");
+    let bench =
+        Bench::new(&job.scene.frame, job.spec(), &job.module()).expect("the core can be built");
+    let (bench, streamed) = arguments.entering(&job, bench).expect("the stream comes to an end");
+    let mut outcome = simulate(&bench, arguments.engine).expect("the engine works");
+    outcome.codes[5][0] ^= 1;
+    let streamed = streamed.expect("the stream top is asked for");
+    let stream =
+        streamed.outcome(&job, &bench, &outcome, arguments.engine).expect("it is compared");
+    let fault = stream.fault.clone().expect("a pixel differs");
+    assert!(fault.in_words.starts_with("pixel 5 of the stream is "), "{fault:?}");
+    let run = run_of(&arguments, &job, &bench, None, (&outcome, Some(stream)));
+    assert_eq!(run.clock_to_look_at(), fault.cycle);
+    let disagreement = run.disagreement.as_ref().expect("it disagrees");
+    assert_eq!(disagreement.lines(), [fault.in_words]);
+    assert!(!disagreement.is_bound_only());
 }
 
 #[test]

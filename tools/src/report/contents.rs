@@ -14,6 +14,7 @@ use crate::made_for::{MadeFor, Prediction};
 use crate::output::PROGRAM;
 use crate::ports::{Port, ports};
 use crate::run::Run;
+use crate::stream_top::StreamOutcome;
 use crate::verilog::bound;
 
 /// Everything that is reported about a run. It serialises as `report.json`; errors are in LSBs of
@@ -47,6 +48,8 @@ pub struct Report<'a> {
     pub first_mismatch: Option<FirstMismatch>,
     /// The largest quantisation error that is above its bound.
     pub beyond_bound: Option<BrokenBound>,
+    /// What came of the core's stream top; `None` if the core was simulated alone.
+    pub stream: Option<&'a StreamOutcome>,
     pub cycles: u64,
     pub latency: u32,
     pub cycles_per_pixel: f64,
@@ -159,7 +162,7 @@ impl<'a> Report<'a> {
             height: bench.frame.height,
             spans: bench.frame.spans.len(),
             pixels: outcome.pixels,
-            agrees: outcome.agrees(),
+            agrees: run.disagreement.is_none(),
             mismatches: comparison.mismatches,
             wrong_clocks: outcome.wrong_clocks.len(),
             violation: outcome.violation.as_ref().map(violated_fact),
@@ -170,6 +173,7 @@ impl<'a> Report<'a> {
                 .as_ref()
                 .and_then(|disagreement| disagreement.beyond_bound)
                 .map(broken_bound),
+            stream: run.stream.as_ref(),
             cycles: outcome.cycles,
             latency: bench.design.latency(),
             cycles_per_pixel: run.cycles_per_pixel(),

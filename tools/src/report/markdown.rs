@@ -78,7 +78,8 @@ fn result(report: &Report) -> String {
     ];
     let engine = ["engine".to_owned(), report.engine.to_owned()];
     let rows = subject.map(named).into_iter().chain(rows::speed(report)).chain([engine]);
-    let rows = rows.chain(rows::made_for(report)).chain(rows::device(report));
+    let rows = rows.chain(rows::stream(report)).chain(rows::made_for(report));
+    let rows = rows.chain(rows::device(report));
     let rows: Vec<[String; 2]> = rows.chain(rows::formats(report)).collect();
     format!("## Result\n\n{verdict}\n{}", table(["", ""], &rows))
 }

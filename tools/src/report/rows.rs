@@ -15,6 +15,11 @@ pub fn speed(report: &Report) -> [[String; 2]; 4] {
     .map(|(name, value)| [name.to_owned(), value])
 }
 
+/// What came of the stream top, if it was simulated.
+pub fn stream(report: &Report) -> Option<[String; 2]> {
+    report.stream.map(|stream| ["stream top".to_owned(), stream.in_words()])
+}
+
 /// The device and the share of it that the core takes, if the user named a device.
 pub fn device(report: &Report) -> Option<[String; 2]> {
     report.fitted.as_ref().map(|fitted| ["device".to_owned(), fitted.in_words()])

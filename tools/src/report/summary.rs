@@ -37,7 +37,8 @@ fn facts(report: &Report) -> Vec<[String; 2]> {
         ("time", format!("{wall:.3} s, of which simulation {simulation:.3} s")),
     ];
     let rows = subject.map(named).into_iter().chain(rows::speed(report)).chain(rest.map(named));
-    rows.chain(rows::made_for(report))
+    rows.chain(rows::stream(report))
+        .chain(rows::made_for(report))
         .chain(rows::device(report))
         .chain(rows::formats(report))
         .collect()

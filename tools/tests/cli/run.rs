@@ -2,6 +2,7 @@
 use std::fs;
 
 use serde_json::Value;
+use specula_fixtures::tools;
 
 use crate::program::Place;
 
@@ -110,6 +111,46 @@ fn engines_give_the_same_files() {
             ["fast", "rust-hdl"].map(|folder| fs::read(place.path(folder).join(file)).unwrap());
         assert!(one == other, "{file} differs");
     }
+}
+
+/// The frame goes through the stream top, and comes out as the core alone shades it.
+#[test]
+fn a_stream_top_gives_the_same_picture() {
+    let place = Place::new();
+    place.succeeds(&small(&["-o", "core"]));
+    let engines = ["fast", "rust-hdl", "icarus"];
+    let installed = |engine: &&str| *engine != "icarus" || tools::is_installed("iverilog");
+    for engine in engines.into_iter().filter(installed) {
+        let summary = place.succeeds(&small(&[
+            "--top", "axis", "--stalls", "7", "--engine", engine, "-o", engine,
+        ]));
+        let said = "random pauses by seed 7: none lost, doubled or wrong";
+        assert!(summary.contains(said), "{summary}");
+        let report = place.report(engine);
+        let stream = &report["stream"];
+        assert_eq!((&stream["stalls"], &stream["fault"]), (&7.into(), &Value::Null));
+        assert_eq!(stream["pixels"], report["pixels"]);
+        assert!(stream["clocks"].as_u64() > report["pixels"].as_u64());
+        for file in ["simulated.png", "trace.vcd"] {
+            let read = |folder: &str| fs::read(place.path(folder).join(file)).unwrap();
+            let same = if file == "trace.vcd" { "fast" } else { "core" };
+            assert!(read(engine) == read(same), "{engine}: {file} differs");
+        }
+    }
+}
+
+#[test]
+fn pauses_between_pixels_change_nothing_but_clocks() {
+    let place = Place::new();
+    place.succeeds(&small(&["-o", "plain"]));
+    place.succeeds(&small(&["--stalls", "7", "-o", "paused"]));
+    let [plain, paused] = ["plain", "paused"].map(|folder| place.report(folder));
+    assert!(plain["stream"].is_null() && paused["stream"].is_null());
+    assert!(paused["cycles"].as_u64() > plain["cycles"].as_u64());
+    let picture = |folder: &str| fs::read(place.path(folder).join("simulated.png")).unwrap();
+    assert_eq!(picture("plain"), picture("paused"));
+    let refused = place.specula(&small(&["--stalls", "0"]));
+    assert_eq!(refused.status, Some(2));
 }
 
 #[test]

@@ -5,6 +5,7 @@
 // so that simulators end with a status that is not 0 (Icarus with `vvp -N`).
 //
 //   +seed=N     pauses at random on both sides; 0, which is the default, for none
+//   +record=F   writes each pixel into the file F: the clock in which it is taken, and its bits
 `default_nettype none
 
 module @NAME@_tb #(
@@ -20,6 +21,8 @@ module @NAME@_tb #(
   reg [@PIXEL_LINE_TOP@:0] pixels[0:PIXELS-1];  // tuser, tlast, pixel
 ?writes|  reg [63:0] writes[0:WRITES-1];  // frame, address, word
   reg [31:0] seed;
+  reg [8*64-1:0] record_name;
+  integer record;
 
   reg aclk = 1'b0;
   reg [3:0] reset_clocks = 4'd0;
@@ -27,6 +30,8 @@ module @NAME@_tb #(
 
   initial begin
     if (!$value$plusargs("seed=%d", seed)) seed = 32'd0;
+    record = 0;
+    if ($value$plusargs("record=%s", record_name)) record = $fopen(record_name, "w");
     $readmemh("@NAME@_packets.hex", words);
     $readmemh("@NAME@_pixels.hex", pixels);
 ?writes|    $readmemh("@NAME@_registers.hex", writes);
@@ -140,6 +145,7 @@ module @NAME@_tb #(
       if (m_axis_tvalid && m_axis_tready) begin
         sent <= sent + 1;
         last_clock <= clocks;
+        if (record != 0) $fwrite(record, "%0d %h\n", clocks, pixel);
         if (sent >= PIXELS) begin
           $display("FAIL: more than %0d pixels", PIXELS);
           failed <= 1'b1;
