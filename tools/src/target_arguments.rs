@@ -23,7 +23,7 @@ pub struct TargetArguments {
     #[arg(long, value_name = "DEVICE", value_parser = device_parser())]
     pub device: Option<Device>,
     /// Clock in MHz that the core is pipelined for, from 1 to 1000, or max for the highest that
-    /// its loops allow [default: max]
+    /// its loops and placement allow [default: max]
     #[arg(long, value_name = "MHZ", value_parser = parse_clock, requires_if("max", PART))]
     pub clock: Option<Clock>,
 }
@@ -34,7 +34,7 @@ pub const PART: &str = "part";
 /// What `--clock` means where it needs no target.
 pub const CLOCK_HELP: &str = "\
 Clock in MHz, from 1 to 1000, that a core with --target or --device is pipelined for, or max for the \
-highest that its loops allow [default: max]; without, the one at which frames per second are counted: \
+highest that its loops and placement allow [default: max]; without, the one at which frames per second are counted: \
 assumed, not proven [default: 100]";
 
 /// A clock that is asked for.

@@ -9,7 +9,9 @@
 //! Its objective is L-natural-convex, for which steepest descent is exact: from the least feasible
 //! point, the least set of variables whose increase gains most is raised until the gain or a
 //! difference ends it [Murota 2003, Shioura 2017]. Which set that is, a minimum cut says: the set
-//! must be closed under differences that leave no room [Picard 1976].
+//! must be closed under differences that leave no room [Picard 1976]. The flow of that cut is one of
+//! the next step's network, too: a difference that gets room has none of it, as it leads into the set
+//! from outside. So it goes on growing, as in the primal-dual method [Ford and Fulkerson 1962].
 use std::collections::VecDeque;
 
 use crate::pass::loops::strong_components;
@@ -63,7 +65,8 @@ impl Differences {
     /// are held by others.
     pub fn solution(&self) -> Option<Solution> {
         let mut at = self.least()?;
-        while let Some(raised) = self.raised(&at) {
+        let mut cut = Cut::new(self);
+        while let Some(raised) = cut.raised(self, &at) {
             // Differences from raised variables to others shrink; the first that has no room left
             // ends the step.
             let room = |&&(from, to, _): &&(usize, usize, i64)| raised[from] && !raised[to];
@@ -93,13 +96,25 @@ impl Differences {
         }
         None
     }
+}
 
-    /// The least set whose increase by 1 gains most; none if no increase gains.
-    fn raised(&self, at: &[i64]) -> Option<Vec<bool>> {
-        let (source, sink) = (at.len(), at.len() + 1);
-        let mut flow = Flow::new(at.len() + 2);
+/// The cut that tells which variables to raise, with its flow from one step to the next.
+struct Cut {
+    flow: Flow,
+    /// The arc of the first difference; those of the others follow, two for each.
+    first: usize,
+    source: usize,
+    sink: usize,
+    /// What the source has room for that has not been sent.
+    gain: i64,
+}
+
+impl Cut {
+    fn new(Differences { weights, gaps }: &Differences) -> Cut {
+        let (source, sink) = (weights.len(), weights.len() + 1);
+        let mut flow = Flow::new(weights.len() + 2);
         let mut gain = 0;
-        for (variable, &weight) in self.weights.iter().enumerate() {
+        for (variable, &weight) in weights.iter().enumerate() {
             if weight < 0 {
                 gain -= weight;
                 flow.add(source, variable, -weight);
@@ -107,17 +122,24 @@ impl Differences {
                 flow.add(variable, sink, weight);
             }
         }
-        for &(from, to, gap) in &self.gaps {
-            if at[to] - at[from] == gap {
-                flow.add(from, to, i64::MAX);
-            }
+        let first = flow.to.len();
+        gaps.iter().for_each(|&(from, to, _)| flow.add(from, to, 0));
+        Cut { flow, first, source, sink, gain }
+    }
+
+    /// The least set whose increase by 1 gains most; none if no increase gains.
+    fn raised(&mut self, program: &Differences, at: &[i64]) -> Option<Vec<bool>> {
+        for (number, &(from, to, gap)) in program.gaps.iter().enumerate() {
+            let arc = self.first + 2 * number;
+            let sent = self.flow.room[arc ^ 1];
+            let is_tight = at[to] - at[from] == gap;
+            debug_assert!(is_tight || sent == 0, "a difference with room has no flow");
+            self.flow.room[arc] = if is_tight { i64::MAX - sent } else { 0 };
         }
-        if flow.greatest(source, sink) == gain {
-            return None;
-        }
-        let mut raised = flow.reached(source);
-        raised.truncate(at.len());
-        Some(raised)
+        let (sent, level) = self.flow.grow(self.source, self.sink);
+        self.gain -= sent;
+        let raised = || level[..at.len()].iter().map(Option::is_some).collect();
+        (self.gain > 0).then(raised)
     }
 }
 
@@ -152,13 +174,14 @@ impl Flow {
         }
     }
 
-    /// The greatest flow, by Dinic's algorithm.
-    fn greatest(&mut self, source: usize, sink: usize) -> i64 {
+    /// Lets the flow grow to the greatest, by Dinic's algorithm: by how much, and how far each node is
+    /// that is still reached.
+    fn grow(&mut self, source: usize, sink: usize) -> (i64, Vec<Option<u32>>) {
         let mut total = 0;
         loop {
             let level = self.levels(source);
             if level[sink].is_none() {
-                return total;
+                return (total, level);
             }
             let mut next = vec![0; self.arcs.len()];
             loop {
@@ -199,8 +222,8 @@ impl Flow {
         }
         let pushed = path.iter().map(|&arc| self.room[arc]).min().unwrap_or(0);
         for arc in path {
-            self.room[arc] = self.room[arc].saturating_sub(pushed);
-            self.room[arc ^ 1] = self.room[arc ^ 1].saturating_add(pushed);
+            self.room[arc] -= pushed;
+            self.room[arc ^ 1] += pushed;
         }
         pushed
     }
@@ -220,10 +243,6 @@ impl Flow {
             }
         }
         level
-    }
-
-    fn reached(&self, source: usize) -> Vec<bool> {
-        self.levels(source).iter().map(Option::is_some).collect()
     }
 }
 
