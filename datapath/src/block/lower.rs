@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use rust_hdl_core::prelude::*;
 
+use super::wire::Role;
 use super::{Cell, Child, Module, Wire};
 use crate::design::{
     Assumption, Design, MultiplierBlock, Node, NodeId, Op, Range, Register, ScopeId, Table,
@@ -19,6 +20,8 @@ struct Borders<'a> {
     /// The products in multiplier blocks of each unit.
     multipliers: HashMap<ScopeId, Vec<&'a MultiplierBlock>>,
     tables: Rc<[Table]>,
+    /// Whether registers or inputs lead to each signal by wires alone.
+    stored: Vec<bool>,
 }
 
 impl Design {
@@ -51,7 +54,8 @@ impl<'a> Borders<'a> {
         for block in &design.multipliers {
             multipliers.entry(design.node(block.product).scope).or_default().push(block);
         }
-        Borders { design, outputs, members, multipliers, tables: design.tables.clone().into() }
+        let (tables, stored) = (design.tables.clone().into(), stored(design));
+        Borders { design, outputs, members, multipliers, tables, stored }
     }
 
     fn kind(&self, id: NodeId) -> AtomKind {
@@ -118,7 +122,9 @@ impl<'a> Borders<'a> {
         let mut local = HashMap::new();
         for &id in self.members(scope) {
             local.insert(id, module.wires.len() as u32);
-            module.wires.push(Wire::new(id, self.design.node(id), self.kind(id), self.fact(id)));
+            let stored = self.stored[id.0 as usize];
+            let role = Role { kind: self.kind(id), fact: self.fact(id), stored };
+            module.wires.push(Wire::new(id, self.design.node(id), role));
         }
         if self.members(scope).iter().any(|&id| self.design.node(id).register == Register::Validity)
         {
@@ -129,7 +135,8 @@ impl<'a> Borders<'a> {
                 ..self.design.node(self.design.valid).clone()
             };
             module.reset = Some(module.wires.len() as u32);
-            module.wires.push(Wire::new(self.design.valid, &node, AtomKind::InputParameter, None));
+            let role = Role { kind: AtomKind::InputParameter, fact: None, stored: true };
+            module.wires.push(Wire::new(self.design.valid, &node, role));
         }
         local
     }
@@ -163,7 +170,8 @@ impl<'a> Borders<'a> {
         constants: &mut HashMap<NodeId, u32>,
     ) -> u32 {
         let number = module.wires.len() as u32;
-        let mut wire = Wire::new(id, self.design.node(id), AtomKind::Constant, None);
+        let role = Role { kind: AtomKind::Constant, fact: None, stored: true };
+        let mut wire = Wire::new(id, self.design.node(id), role);
         if let Op::Constant(value) = self.design.node(id).op {
             (wire.value, wire.next) = (value, value);
         }
@@ -195,4 +203,15 @@ impl<'a> Borders<'a> {
         outputs.sort_unstable();
         Child { module, inputs, outputs }
     }
+}
+
+/// Whether registers or inputs lead to each signal by wires alone.
+fn stored(design: &Design) -> Vec<bool> {
+    let mut stored: Vec<bool> = Vec::with_capacity(design.nodes.len());
+    for (id, node) in design.iter() {
+        let of_stored = || node.op.operands().all(|operand| stored[operand.0 as usize]);
+        let is_stored = node.registered() || design.operator_kind(id).is_none() && of_stored();
+        stored.push(is_stored);
+    }
+    stored
 }

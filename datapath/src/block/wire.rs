@@ -4,6 +4,17 @@ use rust_hdl_core::signal::get_signal_id;
 
 use crate::design::{Node, NodeId, wrapped};
 
+/// What of a wire its node does not say.
+#[derive(Debug)]
+pub(super) struct Role {
+    /// Port or local signal.
+    pub kind: AtomKind,
+    /// The stated fact that its width rests on, if it does.
+    pub fact: Option<String>,
+    /// Whether registers or inputs lead to it by wires alone.
+    pub stored: bool,
+}
+
 /// What never changes about a wire.
 #[derive(Debug)]
 pub struct WireType {
@@ -25,6 +36,8 @@ pub struct WireType {
     pub stage: u32,
     /// Whether it is still: the same for every pixel that is under way.
     pub still: bool,
+    /// Whether registers or inputs lead to it by wires alone.
+    pub stored: bool,
     id: usize,
 }
 
@@ -39,7 +52,8 @@ pub struct Wire {
 }
 
 impl Wire {
-    pub(super) fn new(id: NodeId, node: &Node, kind: AtomKind, fact: Option<String>) -> Wire {
+    pub(super) fn new(id: NodeId, node: &Node, role: Role) -> Wire {
+        let Role { kind, fact, stored } = role;
         let wire_type = WireType {
             name: node.name.clone(),
             node: id,
@@ -50,6 +64,7 @@ impl Wire {
             fact,
             stage: node.stage,
             still: node.still,
+            stored,
             id: get_signal_id(),
         };
         Wire { value: 0, next: 0, changed: false, driven: false, wire_type: Box::new(wire_type) }

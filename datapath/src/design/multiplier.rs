@@ -15,6 +15,8 @@ pub struct Primitives {
     pub shortest_memory: u32,
     /// Clocks of the longest that is one memory; longer ones are several in a row.
     pub longest_memory: u32,
+    /// Whether what such a memory delays has to come from a register.
+    pub registered_memories: bool,
 }
 
 impl Default for Primitives {
@@ -24,6 +26,7 @@ impl Default for Primitives {
             gated_sum: None,
             shortest_memory: 33,
             longest_memory: u32::MAX,
+            registered_memories: false,
         }
     }
 }

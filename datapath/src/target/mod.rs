@@ -135,6 +135,10 @@ pub struct DelayLines {
     pub longest: Option<u32>,
     /// From flip-flop to flip-flop through such a memory, nets included.
     pub read: Option<f64>,
+    /// Whether such a memory has a flip-flop before it wherever logic gives what it delays, so that
+    /// no path leads through a net more.
+    #[serde(default)]
+    pub registered: bool,
 }
 
 /// The tables, by the names of their targets.
@@ -177,6 +181,7 @@ impl Target {
             gated_sum: self.gated_sum,
             shortest_memory: self.delay_line.shortest.unwrap_or(none.shortest_memory),
             longest_memory: self.delay_line.longest.unwrap_or(none.longest_memory),
+            registered_memories: self.delay_line.registered,
         }
     }
 

@@ -3,10 +3,10 @@ use std::collections::{HashMap, HashSet};
 
 use super::gated_sum_modules::GatedSum;
 use crate::block::{AtomKind, Cell, Module};
-use crate::design::{MultiplierBlock, NodeId, Op, Register};
+use crate::design::{MultiplierBlock, NodeId, Op, Primitives, Register};
 use crate::names::first_taken;
 
-/// The clocks of the shortest line that is an instance of its own.
+/// The clocks of the shortest line that is an instance of its own, unless shorter ones are memories.
 const SHORTEST: usize = 4;
 
 /// What delay lines are made of that the target would have as memories.
@@ -68,8 +68,8 @@ impl DelayLine {
 /// The delay lines of a module.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Delays {
-    /// Lines of data that are instances: at least four clocks long, and only the next register
-    /// reads a stage that is not the last.
+    /// Lines of data that are instances: at least four clocks long, or as long as a memory, and only
+    /// the next register reads a stage that is not the last.
     pub lines: Vec<DelayLine>,
     /// Lines of validity that are vectors: at least two clocks long, and anything may read a stage.
     pub validity: Vec<DelayLine>,
@@ -100,8 +100,9 @@ impl Delays {
             };
             long.map(line).collect::<Vec<_>>()
         };
-        let data = data.into_iter().flat_map(|row| segments(row, longest_memory)).collect();
-        let lines = named(data, SHORTEST, "delay");
+        let data = data.into_iter().map(|row| behind_register(module, row));
+        let data = data.flat_map(|row| segments(row, longest_memory)).collect();
+        let lines = named(data, SHORTEST.min(shortest_memory), "delay");
         let validity = named(bits, 2, "line");
         let gated_sums = GatedSum::all(module);
         let products = module.multipliers().iter().map(|block| block.product);
@@ -134,6 +135,20 @@ impl Delays {
     /// Whether the register of this wire is part of a line.
     pub fn contains(&self, wire: u32) -> bool {
         self.members.contains(&wire)
+    }
+}
+
+/// The part of a row that a memory may be: without the first register, which takes what logic gives,
+/// where the target's memories take what a register gives.
+fn behind_register(module: &Module, (input, stages): (u32, Vec<u32>)) -> (u32, Vec<u32>) {
+    let Primitives { shortest_memory, registered_memories, .. } = module.primitives();
+    let has_memory = stages.len() >= shortest_memory as usize;
+    let stored = module.wires()[input as usize].wire_type().stored;
+    match stages.split_first() {
+        Some((&first, rest)) if registered_memories && has_memory && !stored => {
+            (first, rest.to_vec())
+        }
+        _ => (input, stages),
     }
 }
 

@@ -28,7 +28,7 @@ impl Lowering<'_> {
             .into_iter()
             .map(|(shift, negative)| Term { value: variable, factor: 1, shift, negative })
             .collect();
-        while terms.len() > 1 && fits {
+        while terms.len() > 2 && fits {
             let pairs: Vec<Vec<Term>> = terms.chunks(2).map(<[Term]>::to_vec).collect();
             terms = pairs
                 .into_iter()
@@ -38,13 +38,33 @@ impl Lowering<'_> {
                 })
                 .collect();
         }
-        let [only] = terms[..] else { return None };
-        let shifted = self.shifted(at, only.value, only.shift);
-        if !only.negative {
-            return Some(Op::Copy(shifted));
+        match terms[..] {
+            [only] => Some(self.signed(at, only, range)),
+            [low, high] if fits && low.negative && !high.negative => {
+                Some(self.difference(at, [high, low], range))
+            }
+            [low, high] if fits => {
+                let sum = self.combined(at, variable, low, high);
+                Some(self.signed(at, sum, range))
+            }
+            _ => None,
+        }
+    }
+
+    /// A term with its shift and its sign.
+    fn signed(&mut self, at: Place, term: Term, range: Range) -> Op {
+        let shifted = self.shifted(at, term.value, term.shift);
+        if !term.negative {
+            return Op::Copy(shifted);
         }
         let zero = self.integer(at, 0);
-        Some(Op::Copy(self.new_sum(at, Op::Sub(zero, shifted), range, "negative")))
+        Op::Copy(self.new_sum(at, Op::Sub(zero, shifted), range, "negative"))
+    }
+
+    /// A term less another of a smaller shift: an adder of all bits, but none for the sign behind it.
+    fn difference(&mut self, at: Place, terms: [Term; 2], range: Range) -> Op {
+        let [a, b] = terms.map(|term| self.shifted(at, term.value, term.shift));
+        Op::Copy(self.new_sum(at, Op::Sub(a, b), range, "digits"))
     }
 
     /// Two terms as one, the first of which has the smaller shift.

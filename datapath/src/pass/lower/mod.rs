@@ -2,13 +2,14 @@
 //! long sums in pieces, comparisons as signs of differences.
 //!
 //! The pass makes a graph of a graph. What a value stands for stays: each value of the new graph that
-//! takes the place of one has its raw values, its name and its real values. What goes round a loop
-//! stays as it is, accumulators apart.
+//! takes the place of one has its raw values, its name and its real values, but for products whose sign
+//! a sum takes over. What goes round a loop stays as it is, accumulators apart.
 mod accumulator;
 mod compare;
 mod constant;
 mod interval;
 mod product;
+mod sign;
 mod sum;
 
 use std::collections::{HashMap, HashSet};
@@ -20,6 +21,7 @@ use crate::graph::{Graph, Pace, Value};
 use crate::names::unique;
 use crate::target::Target;
 use accumulator::{Accumulator, accumulators, changing};
+use sign::Negated;
 
 /// A graph of a target's operators.
 pub struct Lowered {
@@ -40,8 +42,9 @@ pub fn lowered(graph: &Graph, target: &Target, mhz: f64) -> Lowered {
     // Without a gate before it, the sum of a loop goes to two registers.
     let in_loop = if target.gated_sum.is_some() { period } else { period - fabric.net };
     let widest_sums = (widest(period), widest(in_loop));
-    let mut lowering = Lowering::new(graph, target, widest_sums);
     let loops = loops(graph);
+    let negated = Negated::of(graph, &loops);
+    let mut lowering = Lowering::new(graph, target, widest_sums);
     let accumulators = accumulators(graph);
     // The rest of an accumulator's loop is no loop any more.
     let states = accumulators.values().map(|of| loops[of.state.0 as usize]);
@@ -49,12 +52,16 @@ pub fn lowered(graph: &Graph, target: &Target, mhz: f64) -> Lowered {
     let rounds: HashSet<usize> =
         (0..loops.len()).filter(|&index| opened.contains(&loops[index])).collect();
     for (index, value) in graph.values.iter().enumerate() {
-        let own = lowering.operands_of(value);
-        let accumulator = accumulators.get(&NodeId(index as u32));
-        let new = match (accumulator, loops[index]) {
+        let id = NodeId(index as u32);
+        let own =
+            lowering.operands_of(&Value { op: negated.with_signs(value.op), ..value.clone() });
+        let new = match (accumulators.get(&id), loops[index]) {
             (Some(accumulator), _) => lowering.accumulated(own, *accumulator),
             (None, Some(_)) if !rounds.contains(&index) => lowering.in_loop(own),
-            (None, _) => lowering.operator(own),
+            (None, _) => match negated.negative(graph, id) {
+                Some(factors) => lowering.negative_product(own, factors),
+                None => lowering.operator(own),
+            },
         };
         lowering.new.push(new);
     }

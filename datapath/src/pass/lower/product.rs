@@ -10,9 +10,11 @@
 //!
 //! A part of one or two bits is no product but a choice.
 use super::constant::digits;
+use super::sign::Negative;
 use super::{Lowering, Place, narrowed, place};
 use crate::design::{NodeId, Op, Range};
 use crate::graph::Value;
+use crate::names::unique;
 use crate::target::Multiplier;
 
 /// Bits of a factor up to which a product is a sum of choices.
@@ -27,6 +29,15 @@ impl Lowering<'_> {
             _ => self.multiplied(at, [a, b], value.range),
         };
         self.finished(Value { op, ..value })
+    }
+
+    /// The negative of a product with a constant.
+    pub(super) fn negative_product(&mut self, product: Value, negative: Negative) -> NodeId {
+        let at = place(&product);
+        let variable = self.new[negative.variable.0 as usize];
+        let constant = self.integer(at, negative.constant);
+        let name = unique(&mut self.names, at.scope, &format!("{}_negative", at.name));
+        self.product(Value { range: negative.range, name, ..product }, [variable, constant])
     }
 
     /// The operator that gives a product, whose parts are added before. A constant comes second.
