@@ -165,6 +165,7 @@ fn run_of<'a>(
         bound_shares: bound_shares(bench.spec, bench.frame, bench.design.error_bound()),
         savings: if is_general { None } else { ablation(&job.scene, bench.spec, None).ok() },
         outcome,
+        stalls: arguments.stalls,
         stream,
         window: bench.window(&trace, outcome),
         trace,

@@ -52,6 +52,8 @@ pub struct Run<'a> {
     pub fitted: Option<Fitted>,
     /// The outcome of the simulation.
     pub outcome: &'a Outcome,
+    /// The seed of random pauses, if there are any.
+    pub stalls: Option<u32>,
     /// The outcome of its streams, if they were simulated.
     pub stream: Option<StreamOutcome>,
     /// What disagrees, if anything does.
@@ -90,10 +92,12 @@ impl Run<'_> {
 
     /// Frames per second as text.
     pub fn frames_per_second_in_words(&self) -> String {
+        let paused = self.stalls.is_some() || self.stream.is_some();
         format!(
-            "{:.1} at {} that is not proven, set-up counted",
+            "{:.1} at {} that is not proven, set-up counted{}",
             self.frames_per_second(),
-            self.clock.in_words()
+            self.clock.in_words(),
+            if paused { ", of the core alone and without pauses" } else { "" }
         )
     }
 

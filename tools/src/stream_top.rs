@@ -34,8 +34,6 @@ pub struct StreamedFrame {
 /// What came of a stream top.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct StreamOutcome {
-    /// The seed of random pauses on both sides; `None` without pauses.
-    pub stalls: Option<u32>,
     /// Pixels that were taken at `m_axis`.
     pub pixels: usize,
     /// Clocks from the one in which the first word was taken to that of the last pixel.
@@ -102,7 +100,6 @@ impl StreamedFrame {
         });
         let last = modelled.pixels.last().map_or(0, |pixel| pixel.clock);
         Ok(StreamOutcome {
-            stalls: (self.seed != 0).then_some(self.seed),
             pixels: modelled.pixels.len(),
             clocks: last + 1 - self.run.first_word,
             fault: wrong_pixel(&modelled, &expected).or(of_block),
@@ -130,14 +127,15 @@ impl StreamedFrame {
 impl StreamOutcome {
     /// The outcome as text.
     pub fn in_words(&self) -> String {
-        let StreamOutcome { stalls, pixels, clocks, fault } = self;
-        let pauses = stalls
-            .map_or("without pauses".to_owned(), |seed| format!("random pauses by seed {seed}"));
+        let StreamOutcome { pixels, clocks, fault } = self;
         let verdict = match fault {
-            None => "none lost, doubled or wrong",
+            None => "none lost, doubled or wrong, nor its marks or its position",
             Some(_) => "not as they have to be",
         };
-        format!("{pixels} pixels in {clocks} clocks from the first word on, {pauses}: {verdict}")
+        format!(
+            "packets of 32-bit words in, {pixels} pixels out in {clocks} clocks from the first word \
+             on: {verdict}"
+        )
     }
 }
 

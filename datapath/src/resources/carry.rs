@@ -18,7 +18,8 @@ pub fn luts(wiring: &Wiring, logic: &Logic) -> u64 {
 fn chain(wiring: &Wiring, id: NodeId, op: Op, logic: &Logic) -> u64 {
     let width = |id| wiring.width(id);
     match op {
-        Op::Add(..) | Op::Sub(..) => logic.carry.luts(length(wiring, id), wiring.needed_bits(id)),
+        Op::Add(a, b) => sum(wiring, id, wiring.zeros(a).max(wiring.zeros(b)), logic),
+        Op::Sub(_, b) => sum(wiring, id, wiring.zeros(b), logic),
         // Whether any bit is 1.
         Op::LessThan(a, b) if wiring.constant(a) == Some(0) => (width(b) / 3).max(1),
         Op::LessThan(a, b) => match width(a).max(width(b)) {
@@ -27,6 +28,13 @@ fn chain(wiring: &Wiring, id: NodeId, op: Op, logic: &Logic) -> u64 {
         },
         _ => 0,
     }
+}
+
+/// Look-up tables of a sum whose lowest bits, so many, are those of an operand: what is added to them,
+/// or subtracted, is 0.
+fn sum(wiring: &Wiring, id: NodeId, passed: u32, logic: &Logic) -> u64 {
+    let read = wiring.needed(id).checked_shr(passed).unwrap_or(0);
+    logic.carry.luts(length(wiring, id).saturating_sub(passed.into()), read.count_ones().into())
 }
 
 /// Bits of a sum up to the highest that is read.

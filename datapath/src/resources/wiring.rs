@@ -18,6 +18,8 @@ pub struct Wiring<'a> {
     readers: Vec<u32>,
     /// The bits of each signal that are read.
     needed: Vec<u64>,
+    /// How many of the lowest bits of each signal are always 0.
+    zeros: Vec<u32>,
     /// Whether a signal is inside a multiplier block.
     in_block: Vec<bool>,
     /// Whether a signal is the first of its twins.
@@ -46,6 +48,7 @@ impl<'a> Wiring<'a> {
             bit_of: vec![None; count],
             readers: vec![0; count],
             needed,
+            zeros: Vec::with_capacity(count),
             in_block,
             is_first,
         };
@@ -67,6 +70,20 @@ impl<'a> Wiring<'a> {
                 self.bit_of[id.0 as usize] = from;
             }
             self.sources.push(from.filter(|_| !is_bit).unwrap_or(id));
+            self.zeros.push(self.lowest_zeros(id));
+        }
+    }
+
+    /// How many of a signal's lowest bits are always 0, as far as those of its operands tell, which
+    /// are known already but for what goes round a loop.
+    fn lowest_zeros(&self, id: NodeId) -> u32 {
+        let of = |id: NodeId| self.zeros.get(id.0 as usize).copied().unwrap_or(0);
+        match self.ops[id.0 as usize] {
+            Op::Copy(from) | Op::Wrap(from) => of(from),
+            Op::ShiftLeft(from, bits) => of(from) + bits,
+            Op::ShiftRight(from, bits) => of(from).saturating_sub(bits),
+            Op::Add(a, b) | Op::Sub(a, b) => of(a).min(of(b)),
+            op => op.constant().map_or(0, i64::trailing_zeros),
         }
     }
 
@@ -120,6 +137,11 @@ impl<'a> Wiring<'a> {
     /// The bits of a signal that are read.
     pub fn needed(&self, id: NodeId) -> u64 {
         self.needed[id.0 as usize]
+    }
+
+    /// How many of the lowest bits of a signal are always 0.
+    pub fn zeros(&self, id: NodeId) -> u32 {
+        self.zeros[id.0 as usize]
     }
 
     /// How many bits of a signal are read.

@@ -1,6 +1,8 @@
 //! Host code in C.
 use std::fmt::Write;
 
+use specula_spec::built_format;
+
 use super::code::{HostCode, Place, SentInput, SentPart, ones, shifts};
 use super::expression::{Token, tokens};
 use super::float_error::float_error;
@@ -165,7 +167,7 @@ fn packet_words(code: &HostCode) -> String {
     for input in &code.packet.inputs {
         let Place::Packet { first_bit, bits } = input.place else { continue };
         let mask = u64::MAX >> (u64::BITS - bits);
-        let (name, format) = (&input.port.name, input.port.format);
+        let (name, format) = (&input.port.name, built_format(&input.port));
         let from = format!("{bits} bits from {first_bit} on");
         let _ = writeln!(text, "  /* {name}, {format}: {from}{} */", float(code, input));
         let _ = writeln!(text, "  bits = (uint64_t){} & 0x{mask:x}u;", raw(input));

@@ -55,7 +55,6 @@ pub fn files(
     let name = core.name();
     let vectors = Vectors::new(core, frames);
     let mut values = verilog_values(core, &vectors, frames.len());
-    formal::values(core, &mut values);
     let formal = include_str!("templates/formal.v");
     let mut files = bench_files(core, frames);
     files.extend([
@@ -95,10 +94,11 @@ fn verilog(core: &StreamCore, values: &Values, suffix: &str, what: &str, templat
     file(core, suffix, values.fill(template))
 }
 
-/// Everything that templates of Verilog ask for, but for the properties'.
+/// Everything that templates of Verilog ask for.
 fn verilog_values(core: &StreamCore, vectors: &Vectors, frames: usize) -> Values {
     let mut values = fill::values(core);
     bench::values(core, vectors, frames, &mut values);
+    formal::values(core, &mut values);
     let axis = "\n//\n// Before the first span of a frame the pipeline drains; then `frame` is high for a \
                 clock, in which\n// inputs that hold for a frame are taken over.";
     let regs = "\n//\n// What is written to an input waits for the next frame: the core sees it from the \

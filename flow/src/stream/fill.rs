@@ -55,7 +55,10 @@ fn streams(core: &StreamCore, values: &mut Values) {
     values.set("TAKE_WORDS", (0..words).map(take).collect::<Vec<_>>().join("\n"));
     values.set("SURPLUS", bits);
     values.flag("surplus", words == 1 && bits < word);
+    values.flag("scene", !core.spec.specialisation.is_general());
     values.flag("several", words > 1);
+    values.flag("long", words > 2);
+    values.set("LATER", ["", ", a clock later", ", two clocks later"][(words.min(3) - 1) as usize]);
     values.flag("positions", positions);
     values.flag("inputs", bits > header_bits);
     let interval = core.design.interval;

@@ -7,6 +7,7 @@ mod bench;
 mod c_header;
 mod constraints;
 mod data_sheet;
+mod extent;
 mod files;
 mod fill;
 mod formal;

@@ -4,16 +4,18 @@ use std::fmt::Write;
 use specula_spec::FieldContent;
 
 use super::StreamCore;
+use super::extent::extent;
 
 /// A table with a row for each field: where it stands, what it is, and how a host computes it.
 pub fn packet_table(core: &StreamCore) -> String {
     let word = core.word.bits();
     let mut text = "\
-| bits | word: bits | field | format | unit | what it is | how a host computes it |
-|---|---|---|---|---|---|---|
+| bits | word: bits | field | format | values | unit | what it is | how a host computes it |
+|---|---|---|---|---|---|---|---|
 "
     .to_owned();
-    let meanings = core.spec.input_meanings();
+    let (meanings, ports) = (core.spec.input_meanings(), core.spec.inputs());
+    let longest = core.spec.parameters.longest_span;
     for field in &core.layout.fields {
         let (low, high) = (field.first_bit, field.first_bit + field.format.width() - 1);
         let range = |low: u32, high: u32| {
@@ -39,10 +41,17 @@ pub fn packet_table(core: &StreamCore) -> String {
                 (meaning.unit, meaning.what.clone(), meaning.computed.clone())
             }
         };
+        let values = match field.content {
+            FieldContent::Input(number) => extent(&ports[number]),
+            FieldContent::Pixels => format!("1 to {longest}"),
+            FieldContent::Last => "0, 1".to_owned(),
+            FieldContent::Zero => "0".to_owned(),
+            FieldContent::X | FieldContent::Y => "0 to 65535".to_owned(),
+        };
         // Writing to a String cannot fail.
         let _ = writeln!(
             text,
-            "| {} | {place} | `{}` | {} | {unit} | {what} | {computed} |",
+            "| {} | {place} | `{}` | {} | {values} | {unit} | {what} | {computed} |",
             range(low, high),
             field.name,
             field.format

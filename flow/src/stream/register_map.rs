@@ -2,6 +2,7 @@
 use specula_spec::{Format, Hold, InputMeaning, built_format};
 
 use super::StreamCore;
+use super::extent::extent;
 
 /// What a host may do with a register.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,6 +43,8 @@ pub struct FrameInput {
     pub reset: i64,
     /// The address of its register, in bytes; one that is wider than 32 bits has another behind it.
     pub address: u32,
+    /// From where to where its values reach, as text.
+    pub extent: String,
     /// What it is.
     pub meaning: InputMeaning,
 }
@@ -81,6 +84,7 @@ impl StreamCore<'_> {
                     number,
                     format: built_format(&port),
                     reset: 0_i64.clamp(port.range.0, port.range.1),
+                    extent: extent(&port),
                     name: port.name,
                     address,
                     meaning: meanings[number].clone(),
@@ -117,8 +121,9 @@ pub fn register_map(core: &StreamCore) -> Vec<Register> {
         about: about.to_owned(),
         reset,
     };
-    let status = "bits 0 to 2: a packet was skipped since it was too short, too long, or had a \
-                  wrong number of pixels; write ones to clear all three. Bit 8: busy";
+    let status = "a packet was skipped since it was too short (bit 0), too long (bit 1), or had a \
+                  wrong number of pixels (bit 2); a one written to any of them clears all three. Bit \
+                  8: busy";
     let capability = "bits 0 to 3: lights; 4 to 7: clocks of a pixel; 8: pixels have positions; 9: \
                       words have 64 bits; 16 to 31: pixels of the longest span";
     let version = "bits 0 to 15: version of the packet layout; 16 to 31: of this map";
@@ -140,7 +145,7 @@ pub fn register_map(core: &StreamCore) -> Vec<Register> {
         own("starved", 0x24, None, "clocks in which there was no span to shade"),
     ];
     for input in core.frame_inputs() {
-        let FrameInput { name, format, reset, meaning, .. } = &input;
+        let FrameInput { name, format, reset, extent, meaning, .. } = &input;
         let words = input.words(*reset);
         let several = words.len() > 1;
         for (place, (address, word)) in words.into_iter().enumerate() {
@@ -153,7 +158,7 @@ pub fn register_map(core: &StreamCore) -> Vec<Register> {
                 name: format!("{name}{part}"),
                 address,
                 access: Access::ReadWrite,
-                about: format!("{}; {format}, {}", meaning.what, meaning.unit),
+                about: format!("{}; {format}, {}, {extent}", meaning.what, meaning.unit),
                 reset: Some(word),
             });
         }

@@ -48,6 +48,8 @@ pub struct Report<'a> {
     pub first_mismatch: Option<FirstMismatch>,
     /// The largest quantisation error that is above its bound.
     pub beyond_bound: Option<BrokenBound>,
+    /// The seed of random pauses; `None` without pauses.
+    pub stalls: Option<u32>,
     /// What came of the core's stream top; `None` if the core was simulated alone.
     pub stream: Option<&'a StreamOutcome>,
     pub cycles: u64,
@@ -173,6 +175,7 @@ impl<'a> Report<'a> {
                 .as_ref()
                 .and_then(|disagreement| disagreement.beyond_bound)
                 .map(broken_bound),
+            stalls: run.stalls,
             stream: run.stream.as_ref(),
             cycles: outcome.cycles,
             latency: bench.design.latency(),

@@ -15,9 +15,12 @@ pub fn speed(report: &Report) -> [[String; 2]; 4] {
     .map(|(name, value)| [name.to_owned(), value])
 }
 
-/// What came of the stream top, if it was simulated.
-pub fn stream(report: &Report) -> Option<[String; 2]> {
-    report.stream.map(|stream| ["stream top".to_owned(), stream.in_words()])
+/// What came of the stream top, if it was simulated, and random pauses, if there were any.
+pub fn stream(report: &Report) -> impl Iterator<Item = [String; 2]> {
+    let pauses = |seed| format!("at random, by seed {seed}");
+    let pauses = report.stalls.map(|seed| ["pauses".to_owned(), pauses(seed)]);
+    let stream = report.stream.map(|stream| ["stream top".to_owned(), stream.in_words()]);
+    pauses.into_iter().chain(stream)
 }
 
 /// The device and the share of it that the core takes, if the user named a device.

@@ -36,7 +36,9 @@ fn a_small_core_is_placed_and_its_path_is_named() {
     for placed in seeds {
         let path = &placed["critical_path"];
         let [mhz, ns] = [&placed["reached_mhz"], &path["nanoseconds"]].map(|x| x.as_f64().unwrap());
-        assert!((1e3 / mhz - ns).abs() < 0.02 * ns, "{mhz} MHz against {ns} ns");
+        // The path has no set-up in it, which is below .2 ns of an iCE40's flip-flop.
+        let set_up = 1e3 / mhz - ns;
+        assert!((-1e-6..0.2).contains(&set_up), "{mhz} MHz against {ns} ns");
         let steps = path["steps"].as_array().expect("a list");
         let delay = |step: &Value, part: &str| step[part].as_f64().unwrap();
         let sum: f64 = steps.iter().map(|step| delay(step, "logic") + delay(step, "routing")).sum();

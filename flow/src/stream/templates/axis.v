@@ -278,12 +278,17 @@ module @NAME@_packets (
   wire accept = word_valid & word_ready;
   wire last = at[@WORDS_TOP@];
 
-  // What the header says, from the clock after it on.
-  wire [@COUNT_TOP@:0] count = word[@COUNT_TOP@:0];
-  wire word_fits = word[15:@COUNT_BITS@] == @OVER_BITS@'d0 & count != @COUNT_BITS@'d0 & count <= @COUNT_BITS@'d@LONGEST@;
-?several|  reg fits;
-?several|  always @(posedge clock) if (accept & at[0]) fits <= word_fits;
-!several|  wire fits = word_fits;
+  // What the header says of the number of pixels@LATER@.
+  wire over = word[15:@COUNT_BITS@] != @OVER_BITS@'d0;
+?several|  reg is_over;
+?several|  always @(posedge clock) if (accept & at[0]) is_over <= over;
+?several|  wire [@COUNT_TOP@:0] count = packet[@COUNT_TOP@:0];
+?several|  wire count_fits = ~is_over & count != @COUNT_BITS@'d0 & count <= @COUNT_BITS@'d@LONGEST@;
+!several|  wire [@COUNT_TOP@:0] count = word[@COUNT_TOP@:0];
+!several|  wire count_fits = ~over & count != @COUNT_BITS@'d0 & count <= @COUNT_BITS@'d@LONGEST@;
+?long|  reg fits;
+?long|  always @(posedge clock) fits <= count_fits;
+!long|  wire fits = count_fits;
 
   wire ends = accept & ~skipping & (last | word_last);
   wire too_short = ends & ~last;
@@ -307,7 +312,8 @@ module @NAME@_packets (
 ?several|      lost_last <= (ends & ~(last & word_last & fits)) & (at[0] ? word[16] : packet[16]);
 !several|      lost_last <= (ends & ~(last & word_last & fits)) & word[16];
     end
-    if (accept & at[0]) single <= count == @COUNT_BITS@'d1;
+?several|    single <= count == @COUNT_BITS@'d1;
+!several|    if (accept) single <= count == @COUNT_BITS@'d1;
 @TAKE_WORDS@
   end
 ?surplus|
@@ -461,8 +467,8 @@ module @NAME@_memory #(
   end
 endmodule
 ?block_ram|
-?block_ram|// @NAME@_block_memory: the same in a block RAM of an ECP5 with its output register, up to 512 places of 36
-?block_ram|// bits.
+?block_ram|// @NAME@_block_memory: the same in a block RAM of an ECP5 with its output registers, up to 512 places of 36
+?block_ram|// bits. Of such words the lower half is written and read at pins of port A, the upper half at those of B.
 ?block_ram|module @NAME@_block_memory #(
 ?block_ram|    parameter WIDTH = 24,
 ?block_ram|    parameter LOG2_DEPTH = @LOG2_DEPTH@
@@ -483,9 +489,9 @@ endmodule
 ?block_ram|  wire [35:0] out;
 ?block_ram|  assign data = out[WIDTH-1:0];
 ?block_ram|  DP16KD #(
-?block_ram|      .DATA_WIDTH_A(36), .DATA_WIDTH_B(36), .REGMODE_B("OUTREG"), .GSR("DISABLED")
+?block_ram|      .DATA_WIDTH_A(36), .DATA_WIDTH_B(36), .REGMODE_A("OUTREG"), .REGMODE_B("OUTREG"), .GSR("DISABLED")
 ?block_ram|  ) block (
-?block_ram|      .CLKA(clock), .CEA(write), .OCEA(1'b0), .WEA(1'b1), .RSTA(1'b0), .CSA0(1'b0), .CSA1(1'b0), .CSA2(1'b0),
+?block_ram|      .CLKA(clock), .CEA(write), .OCEA(move), .WEA(1'b1), .RSTA(1'b0), .CSA0(1'b0), .CSA1(1'b0), .CSA2(1'b0),
 ?block_ram|      .CLKB(clock), .CEB(read), .OCEB(move), .WEB(1'b0), .RSTB(1'b0), .CSB0(1'b0), .CSB1(1'b0), .CSB2(1'b0),
 ?block_ram|      .DIA0(in[0]), .DIA1(in[1]), .DIA2(in[2]), .DIA3(in[3]), .DIA4(in[4]), .DIA5(in[5]),
 ?block_ram|      .DIA6(in[6]), .DIA7(in[7]), .DIA8(in[8]), .DIA9(in[9]), .DIA10(in[10]), .DIA11(in[11]),

@@ -30,6 +30,10 @@ module @NAME@_tb #(
 
   initial begin
     if (!$value$plusargs("seed=%d", seed)) seed = 32'd0;
+    if (^seed === 1'bx) begin
+      $display("FAIL: the seed is no number");
+      $stop;
+    end
     record = 0;
     if ($value$plusargs("record=%s", record_name)) record = $fopen(record_name, "w");
     $readmemh("@NAME@_packets.hex", words);
