@@ -89,7 +89,8 @@ fn memories(core: &StreamCore, values: &mut Values) {
     let is_ecp5 = target == Some("ecp5");
     let memory = |bits| {
         let is_large = bits << core.log2_depth() >= LEAST_BLOCK_RAM_BITS;
-        if is_ecp5 && is_large { "block_memory" } else { "memory" }
+        let fits = core.log2_depth() <= MOST_LOG2_BLOCK_RAM_PLACES;
+        if is_ecp5 && is_large && fits { "block_memory" } else { "memory" }
     };
     let [tag, colour] = [core.tag_bits(), COLOUR_BITS].map(memory);
     let block_ram = [tag, colour].contains(&"block_memory");
@@ -104,6 +105,8 @@ const COLOUR_BITS: u32 = 24;
 /// Bits from which on a memory is in a block RAM of an ECP5, whose output register is as fast as a
 /// flip-flop, rather than in 16 memories of 16 × 4 bits and what chooses between them.
 const LEAST_BLOCK_RAM_BITS: u32 = 1024;
+/// The base-2 logarithm of the places that a block RAM of an ECP5 has for 36 bits.
+const MOST_LOG2_BLOCK_RAM_PLACES: u32 = 9;
 
 /// Bits of a packet before the core's inputs.
 fn header_bits(core: &StreamCore) -> u32 {
