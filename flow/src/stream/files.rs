@@ -29,12 +29,16 @@ pub struct HostCall {
 /// vectors of some frames.
 pub fn bench_files(core: &StreamCore, frames: &[FrameVectors]) -> Vec<File> {
     let vectors = Vectors::new(core, frames);
-    let values = verilog_values(core, &vectors, frames.len());
+    filled_bench_files(core, &vectors, &verilog_values(core, &vectors, frames.len()))
+}
+
+/// The same, of vectors and values that are there.
+fn filled_bench_files(core: &StreamCore, vectors: &Vectors, values: &Values) -> Vec<File> {
     let mut files = vec![
-        verilog(core, &values, "_axis.v", "the stream top", include_str!("templates/axis.v")),
-        verilog(core, &values, "_regs.v", "the registers", include_str!("templates/regs.v")),
-        verilog(core, &values, "_ip.v", "streams and registers", include_str!("templates/ip.v")),
-        verilog(core, &values, "_tb.v", "the bench", include_str!("templates/tb.v")),
+        verilog(core, values, "_axis.v", "the stream top", include_str!("templates/axis.v")),
+        verilog(core, values, "_regs.v", "the registers", include_str!("templates/regs.v")),
+        verilog(core, values, "_ip.v", "streams and registers", include_str!("templates/ip.v")),
+        verilog(core, values, "_tb.v", "the bench", include_str!("templates/tb.v")),
         file(core, "_packets.hex", vectors.packets()),
         file(core, "_pixels.hex", vectors.pixels()),
     ];
@@ -56,7 +60,7 @@ pub fn files(
     let vectors = Vectors::new(core, frames);
     let mut values = verilog_values(core, &vectors, frames.len());
     let formal = include_str!("templates/formal.v");
-    let mut files = bench_files(core, frames);
+    let mut files = filled_bench_files(core, &vectors, &values);
     files.extend([
         verilog(core, &values, "_formal.v", "the properties", formal),
         file(core, "_registers.h", c_header(core)),

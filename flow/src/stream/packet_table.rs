@@ -30,23 +30,21 @@ pub fn packet_table(core: &StreamCore) -> String {
                 format!("{first}: {} to {last}: {end}", range(low % word, word - 1))
             }
         };
-        let (unit, what, computed) = match field.content {
-            FieldContent::Pixels => ("pixels", "length of the span".into(), "at least 1".into()),
-            FieldContent::Last => ("", "1 in the last span of a frame, else 0".into(), "".into()),
-            FieldContent::Zero => ("", "0".into(), "".into()),
-            FieldContent::X => ("pixels", "column of the first pixel".into(), "".into()),
-            FieldContent::Y => ("pixels", "row of the span".into(), "".into()),
+        let own = |values: &str, unit, what: &str, computed: &str| {
+            (values.to_owned(), unit, what.to_owned(), computed.to_owned())
+        };
+        let (values, unit, what, computed) = match field.content {
+            FieldContent::Pixels => {
+                own(&format!("1 to {longest}"), "pixels", "length of the span", "at least 1")
+            }
+            FieldContent::Last => own("0, 1", "", "1 in the last span of a frame, else 0", ""),
+            FieldContent::Zero => own("0", "", "0", ""),
+            FieldContent::X => own("0 to 65535", "pixels", "column of the first pixel", ""),
+            FieldContent::Y => own("0 to 65535", "pixels", "row of the span", ""),
             FieldContent::Input(number) => {
                 let meaning = &meanings[number];
-                (meaning.unit, meaning.what.clone(), meaning.computed.clone())
+                own(&extent(&ports[number]), meaning.unit, &meaning.what, &meaning.computed)
             }
-        };
-        let values = match field.content {
-            FieldContent::Input(number) => extent(&ports[number]),
-            FieldContent::Pixels => format!("1 to {longest}"),
-            FieldContent::Last => "0, 1".to_owned(),
-            FieldContent::Zero => "0".to_owned(),
-            FieldContent::X | FieldContent::Y => "0 to 65535".to_owned(),
         };
         // Writing to a String cannot fail.
         let _ = writeln!(

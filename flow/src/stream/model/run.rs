@@ -57,14 +57,14 @@ impl StreamRun {
         let mut run = StreamRun { packets: vec![], entries: vec![], first_word: 0, sent: vec![] };
         let (mut moved, mut clock) = (0, 0);
         while !bench.is_done() || top.is_busy() {
-            let header = |words: &[u64]| core.layout.unpack(words, core.word).0;
-            let events = top.clock(bench.inputs(), header);
+            let unpack = |words: &[u64]| core.layout.unpack(words, core.word);
+            let events = top.clock(bench.inputs(), unpack);
             if events.word_taken || events.sent.is_some() {
                 moved = clock;
             } else if clock - moved > PATIENCE {
                 return Err(Stuck { clock: moved, sent: run.sent.len(), pixels });
             }
-            run.note(core, clock, &events, &registers, &spans);
+            run.note(clock, &events, &registers, &spans);
             bench.clock(events.word_taken, &mut registers);
             if events.frame {
                 registers.begin_frame();
@@ -77,7 +77,6 @@ impl StreamRun {
     /// Notes what happens in a clock.
     fn note(
         &mut self,
-        core: &StreamCore,
         clock: u64,
         events: &TopEvents,
         registers: &Registers,
@@ -86,11 +85,10 @@ impl StreamRun {
         if events.word_taken && self.first_word == 0 {
             self.first_word = clock;
         }
-        if let Some(words) = &events.loaded {
-            let (header, found) = core.layout.unpack(words, core.word);
+        if let Some((header, found)) = &events.loaded {
             // Inputs that are constants, or the same as another, are in no packet.
             let mut inputs = spans[self.packets.len()].inputs.clone();
-            for (number, raw) in found.into_iter().chain(registers.held()) {
+            for (number, raw) in found.iter().copied().chain(registers.held()) {
                 inputs[number] = raw;
             }
             self.packets.push(SpanPacket { length: header.pixels, inputs });

@@ -27,6 +27,9 @@ pub struct TopInputs {
     pub ready: bool,
 }
 
+/// What stands in a packet: its header, and raw values of inputs with their numbers.
+pub type Packet = (SpanHeader, Vec<(usize, i64)>);
+
 /// What happens in a clock.
 pub struct TopEvents {
     /// The word that is offered is taken.
@@ -35,8 +38,8 @@ pub struct TopEvents {
     pub enter: bool,
     /// A frame begins.
     pub frame: bool,
-    /// The words of the packet whose span is shaded from the next clock on.
-    pub loaded: Option<Vec<u64>>,
+    /// What stands in the packet whose span is shaded from the next clock on.
+    pub loaded: Option<Packet>,
     /// The pixel that is taken at `m_axis`.
     pub sent: Option<Pixel>,
 }
@@ -62,15 +65,11 @@ impl StreamTop {
         waiting || self.span.is_shading() || !self.places.are_free()
     }
 
-    /// Goes on by a clock. `header` tells what the words of a packet say of its span.
-    pub fn clock(
-        &mut self,
-        inputs: TopInputs,
-        header: impl FnOnce(&[u64]) -> SpanHeader,
-    ) -> TopEvents {
+    /// Goes on by a clock. `unpack` tells what the words of a packet say.
+    pub fn clock(&mut self, inputs: TopInputs, unpack: impl FnOnce(&[u64]) -> Packet) -> TopEvents {
         let packet = self.packets.packet();
         let signals = self.span.signals(packet.is_some(), self.places.room);
-        let loaded = packet.filter(|_| signals.load).map(<[u64]>::to_vec);
+        let loaded = packet.filter(|_| signals.load).map(unpack);
         let events = TopEvents {
             word_taken: inputs.word.is_some() && self.packets.takes(),
             enter: signals.enter,
@@ -84,7 +83,7 @@ impl StreamTop {
         self.places.clock(signals.spend, self.pixels.freed());
         let enters = signals.spend.then(|| self.span.tag());
         self.pixels.clock(enters, leaves, inputs.ready);
-        self.span.clock(&signals, events.loaded.as_deref().map(header));
+        self.span.clock(&signals, events.loaded.as_ref().map(|(header, _)| *header));
         self.packets.clock(inputs.word, signals.load);
         events
     }
