@@ -7,6 +7,7 @@ mod lecture;
 mod lyon;
 mod maximum;
 mod paper;
+pub mod project;
 pub mod reshetov;
 mod span_core;
 
