@@ -5,11 +5,11 @@
 //! so that all of them go from pixel to pixel.
 use glam::DVec3;
 use specula_fixtures::frames::{frame, material, tilted};
-use specula_golden::exact::{MethodSpan, phong};
 use specula_golden::exact::formula::normalisation::g2;
 use specula_golden::exact::formula::reflection::reflection_minus_light;
 use specula_golden::exact::formula::shape::lobe;
 use specula_golden::exact::formula::wrap;
+use specula_golden::exact::{MethodSpan, phong};
 use specula_golden::loops::software::{METHODS, Mesh, by_name};
 use specula_golden::loops::{
     Blinn, Chained, Chebyshev, Consistent, ConsistentNormal, Direct, DuffBlinn, DuffHybrid,

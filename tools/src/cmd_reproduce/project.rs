@@ -61,7 +61,8 @@ pub fn execute(
             all.push(timed(model, SIZE, illumination, extent)?);
         }
     }
-    let page = Page { name: NAME, head: HEAD, text: text(&all, arguments.rounds), pictures: vec![] };
+    let page =
+        Page { name: NAME, head: HEAD, text: text(&all, arguments.rounds), pictures: vec![] };
     page.give(arguments.output.as_deref(), stdout, interrupts)?;
     Ok(Verdict::Done)
 }

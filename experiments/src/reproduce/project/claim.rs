@@ -1,6 +1,6 @@
 //! What the papers claim of the speed of their algorithms.
-use super::Timed;
 use super::super::Paper;
+use super::Timed;
 use crate::tradeoff::software::Software;
 
 /// A claim about the run time of two algorithms.
@@ -66,11 +66,7 @@ fn considerably_slower(ratio: f64) -> Outcome {
     if ratio >= 1.5 { Outcome::Holds } else { Outcome::Fails }
 }
 
-fn quotient(
-    timed: &Timed,
-    names: [&str; 2],
-    part: fn(&Software) -> f64,
-) -> Option<f64> {
+fn quotient(timed: &Timed, names: [&str; 2], part: fn(&Software) -> f64) -> Option<f64> {
     let [a, b] = names.map(|name| timed.of(name).map(part));
     Some(a? / b?)
 }

@@ -40,7 +40,10 @@ pub const ALGORITHMS: [Algorithm; 9] = [
     everywhere("fast Phong shading, one Newton step", "fast-phong"),
     everywhere("Phong shading by slerp", "slerp"),
     everywhere("Duff, eq. 34", "duff"),
-    Algorithm { seen_from: "vertices and middles of spans", ..everywhere("hybrid shading", "hybrid") },
+    Algorithm {
+        seen_from: "vertices and middles of spans",
+        ..everywhere("hybrid shading", "hybrid")
+    },
     everywhere("reflection shading, eq. 34", "reflection"),
     everywhere("consistent normals, rational q", "consistent"),
 ];

@@ -220,8 +220,7 @@ impl<'a> DiffuseVertices<'a> {
             light.map_or(0.0, |light| light.share * lambert(normal, light.direction))
         };
         let diffuse = |vertex: Point| {
-            lights_from(frame, vertex.position)
-                .map(move |light| [of_light(vertex.normal, light)])
+            lights_from(frame, vertex.position).map(move |light| [of_light(vertex.normal, light)])
         };
         let vertices = AtPoints::new(mesh.vertices.iter().copied(), diffuse);
         DiffuseVertices { frame, diffuse: Planes::new(mesh, &vertices) }
