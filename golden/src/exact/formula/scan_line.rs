@@ -25,7 +25,7 @@ where
     let (one, other) = (crossings.next()?, crossings.next()?);
     let [(left, first), (right, last)] = if one.0 <= other.0 { [one, other] } else { [other, one] };
     let t = if right > left { (point.x - left) / (right - left) } else { 0.0 };
-    (0.0..=1.0).contains(&t).then(|| between(first, last, t))
+    (left..=right).contains(&point.x).then(|| between(first, last, t))
 }
 
 fn between<V>(from: V, to: V, t: f64) -> V
