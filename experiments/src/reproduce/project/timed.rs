@@ -102,17 +102,16 @@ mod tests {
         }
     }
 
-    /// The root mean square in LSB that a loop may be off: rounding for what is Phong's formula,
-    /// the method's own error for what is not, and on the scan, whose polygons turn by 20 degrees,
-    /// more of it.
+    /// The root mean square in LSB that a loop may be off: roundings for what is Phong's formula, an
+    /// arc or a wrap for what is nearly that, and what intensities of vertices or consistent normals
+    /// are off by on coarse triangles; at places, what directions turn by from the middle of a span.
     fn most(name: &str, illumination: Illumination) -> f64 {
         match (name, illumination) {
-            ("phong" | "phong-places", _) | ("duff" | "fast-phong", Illumination::Infinity) => 0.05,
-            ("slerp", Illumination::Infinity) => 0.3,
-            ("reflection" | "hybrid" | "gouraud", Illumination::Infinity) => 2.0,
-            ("consistent", _) => 8.0,
-            ("phong-wrapped-places", _) => 0.5,
-            _ => 3.0,
+            ("phong" | "phong-places" | "phong-wrapped-places", _)
+            | ("duff" | "fast-phong", Illumination::Infinity) => 0.05,
+            ("slerp" | "reflection", Illumination::Infinity) => 0.3,
+            ("gouraud" | "hybrid" | "consistent", _) => 4.0,
+            _ => 1.5,
         }
     }
 }
