@@ -136,11 +136,12 @@ fn held(wiring: &Wiring) -> HashSet<NodeId> {
     cleared.filter(holds).map(|(_, next)| next).collect()
 }
 
-/// Whether a choice is made by a register's own pins: its clock enable, or its set and reset.
+/// Whether a choice is made by a register's own pins: its clock enable, or its set and reset, which
+/// a single bit does not use.
 fn is_control(wiring: &Wiring, id: NodeId, op: Op) -> bool {
     let Op::Select(_, a, b) = op else { return false };
-    let constant = |id| wiring.constant(id).is_some();
-    wiring.registered(id) && (b == id || constant(a) || constant(b))
+    let resets = wiring.constant(a).is_some() && wiring.width(id) > 1;
+    wiring.registered(id) && (b == id || resets)
 }
 
 /// Whether a choice is a value or 0 by a bit of that value: a row of a square, in which each product

@@ -113,12 +113,21 @@ module NAME #(
     q = {WIDTH{1'b0}};
   end
 
+  // A counter without an adder: a bit changes where all bits below it are 1.
+  wire [ADDRESS_WIDTH-1:0] next;
+  genvar place;
+  generate
+    for (place = 0; place < ADDRESS_WIDTH; place = place + 1) begin : counter
+      assign next[place] = (address != LAST[ADDRESS_WIDTH-1:0])
+          & (address[place] ^ &(address | ({ADDRESS_WIDTH{1'b1}} << place)));
+    end
+  endgenerate
+
   // The oldest word is read, then overwritten.
   always @(posedge clock) begin
     q <= memory[address];
     memory[address] <= d;
-    if (address == LAST[ADDRESS_WIDTH-1:0]) address <= {ADDRESS_WIDTH{1'b0}};
-    else address <= address + 1'b1;
+    address <= next;
   end
 endmodule
 ";

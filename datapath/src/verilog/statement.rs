@@ -4,6 +4,10 @@
 //! reader then need not know Verilog's rules of extension. Addition, subtraction and selection work
 //! modulo 2^width, so signs do not matter there; where they do (products, comparisons), both
 //! operands are made signed.
+//!
+//! A choice between a value and 0 that keeps the value where a bit is 1 is printed as a mask. Of a
+//! choice, Yosys makes a reset of the register behind it, each bit's with an inverter and a net of
+//! its own, which a device has few of (decision 0036).
 use crate::design::{NodeId, Op, Table};
 
 /// What an expression reads.
@@ -40,7 +44,18 @@ pub fn expression<'a>(op: Op, width: u32, operand: &dyn Fn(NodeId) -> Operand<'a
         Op::And(a, b) => format!("{} & {}", wide(a), wide(b)),
         Op::Or(a, b) => format!("{} | {}", wide(a), wide(b)),
         Op::Not(a) => format!("~{}", wide(a)),
-        Op::Select(c, a, b) => format!("{} ? {} : {}", extended(&operand(c), 1), wide(a), wide(b)),
+        Op::Select(c, a, b) => {
+            let choice = extended(&operand(c), 1);
+            let kept = || format!("{} & {}", repeated(&choice, width), wide(a));
+            let is_not = || repeated(&format!("~{choice}"), width);
+            match [operand(a), operand(b)] {
+                [_, Operand::Literal(0)] => kept(),
+                [_, Operand::Literal(_)] => format!("{} | {} & {}", kept(), is_not(), wide(b)),
+                [Operand::Literal(0), _] if width == 1 => format!("{} & {}", is_not(), wide(b)),
+                [Operand::Literal(_), _] if width == 1 => format!("{choice} | {}", wide(b)),
+                _ => format!("{choice} ? {} : {}", wide(a), wide(b)),
+            }
+        }
     }
 }
 
@@ -253,4 +268,40 @@ fn less_than(a: &Operand, b: &Operand) -> String {
         .max()
         .unwrap_or(1);
     format!("$signed({}) < $signed({})", extended(a, width), extended(b, width))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A choice by `c` between two of `x`, 0, 1 and 5.
+    fn choice([one, other]: [u32; 2], width: u32) -> String {
+        let operand = |id: NodeId| match id.0 {
+            0 => Operand::Net { name: "c", width: 1, signed: false },
+            1 => Operand::Net { name: "x", width, signed: false },
+            2 => Operand::Literal(0),
+            3 => Operand::Literal(1),
+            _ => Operand::Literal(5),
+        };
+        expression(Op::Select(NodeId(0), NodeId(one), NodeId(other)), width, &operand)
+    }
+
+    #[test]
+    fn a_value_that_a_bit_keeps_is_masked() {
+        assert_eq!(choice([1, 2], 3), "{3{c}} & x");
+        assert_eq!(choice([1, 4], 3), "{3{c}} & x | {3{~c}} & 3'd5");
+    }
+
+    #[test]
+    fn a_register_of_several_bits_has_one_reset() {
+        assert_eq!(choice([2, 1], 3), "c ? 3'd0 : x");
+        assert_eq!(choice([4, 1], 3), "c ? 3'd5 : x");
+    }
+
+    #[test]
+    fn a_single_bit_has_no_reset() {
+        assert_eq!(choice([1, 2], 1), "c & x");
+        assert_eq!(choice([2, 1], 1), "~c & x");
+        assert_eq!(choice([3, 1], 1), "c | x");
+    }
 }

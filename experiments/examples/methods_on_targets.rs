@@ -1,21 +1,41 @@
-//! Prints the table of `docs/targets.md`: every method's core for a scene on every target, counted by
-//! Yosys beside what is estimated, and the clock that one run of nextpnr reaches beside the predicted
-//! one.
+//! Prints the table of `docs/targets.md`: every method's core for a scene on every target, as `specula
+//! synth` makes it, counted by Yosys beside what is estimated, and the clock that one run of nextpnr
+//! reaches beside the predicted one.
 //!
-//!     cargo run --release -p specula-flow --example methods_on_targets -- teapot [WORD]...
+//!     cargo run --release -p specula-experiments --example methods_on_targets -- teapot [WORD]...
 //!
 //! Words choose methods and targets by their names, and `general` cores in place of those that are
 //! made for the scene alone; `unplaced` leaves nextpnr out.
 use std::process::ExitCode;
 
 use specula_datapath::resources::Resources;
+use specula_datapath::target::Target;
 use specula_datapath::timing::Timing;
+use specula_experiments::formats::{DefaultCore, Products, default_core};
 use specula_flow::synth::{SynthTarget, Synthesis, synthesise_and_place, synthesised};
 use specula_scene::LoadedScene;
 use specula_spec::{CoreSpec, Method, SceneCore, TargetClock};
 
 /// Targets that have delays.
 const TARGETS: [&str; 4] = ["ecp5", "ice40up", "ice40hx", "xilinx7"];
+
+/// What a core is made for.
+#[derive(Clone, Copy)]
+enum Purpose {
+    /// The scene alone.
+    Scene,
+    /// Every input variable.
+    General,
+}
+
+/// How far a core is taken.
+#[derive(Clone, Copy)]
+enum Extent {
+    /// Synthesised, to count its cells.
+    Counted,
+    /// Placed and routed too.
+    Placed,
+}
 
 /// The error of a row.
 type Failure = Box<dyn std::error::Error>;
@@ -31,13 +51,15 @@ fn main() -> ExitCode {
     let is_named = |name: &str| words.iter().any(|word| word == name);
     let methods = named(Method::ALL.to_vec(), |method| is_named(method.name()));
     let targets = named(TARGETS.to_vec(), |target| is_named(target));
+    let purpose = if is_named("general") { Purpose::General } else { Purpose::Scene };
+    let extent = if is_named("unplaced") { Extent::Counted } else { Extent::Placed };
     println!(
         "| method | target | LUTs | estimated | flip-flops | counted | blocks | RAM | MHz | predicted |"
     );
     println!("|---|---|---|---|---|---|---|---|---|---|");
     for &method in &methods {
         for target in &targets {
-            match row(&scene, method, target, [is_named("general"), is_named("unplaced")]) {
+            match row(&scene, method, target, (purpose, extent)) {
                 Ok(row) => println!("| {} | `{target}` | {} |", method.name(), row.join(" | ")),
                 Err(error) => eprintln!("{} on {target}: {error}", method.name()),
             }
@@ -57,10 +79,16 @@ fn row(
     scene: &LoadedScene,
     method: Method,
     target: &str,
-    [general, unplaced]: [bool; 2],
+    (purpose, extent): (Purpose, Extent),
 ) -> Result<Vec<String>, Failure> {
     let spec = scene.core_spec(Some(method))?;
-    let spec = if general { spec.general() } else { spec };
+    let spec = match purpose {
+        Purpose::Scene => spec,
+        Purpose::General => spec.general(),
+    };
+    let products = Products::Of(Box::new(Target::named(target).ok_or("there is no such target")?));
+    let named = scene.named_formats(method)?;
+    let DefaultCore { spec, .. } = default_core(spec, &scene.frame, &named, products)?;
     let at = |clock_mhz| CoreSpec {
         target: Some(TargetClock { name: target.to_owned(), clock_mhz }),
         ..spec.clone()
@@ -71,10 +99,10 @@ fn row(
     let estimated = Resources::of(&design, &table);
     let predicted = Timing::of(&design, &table).map_or(0.0, |timing| timing.mhz());
     let synth = SynthTarget::ALL.into_iter().find(|synth| synth.name == target);
-    let (made, reached) = match &synth {
-        None => (None, None),
-        Some(synth) if unplaced => (Some(synthesised(&design, synth)?), None),
-        Some(synth) => match synthesise_and_place(&design, synth, (clock_mhz as u32, 1), &|| ()) {
+    let (made, reached) = match (&synth, extent) {
+        (None, _) => (None, None),
+        (Some(synth), Extent::Counted) => (Some(synthesised(&design, synth)?), None),
+        (Some(synth), Extent::Placed) => match synthesise_and_place(&design, synth, (clock_mhz as u32, 1), &|| ()) {
             Ok(synthesis) => (Some(synthesis.cells), median(&synthesis)),
             Err(error) => {
                 eprintln!("{} on {target}: {error}", method.name());
