@@ -86,6 +86,12 @@ impl CoreInput {
         CoreInput::of_port(meaning, InputPort::between(name, format, low, high))
     }
 
+    /// An input for a whole number from 1 to `largest`.
+    pub(crate) fn whole_number(meaning: InputMeaning, name: &str, largest: u32) -> CoreInput {
+        let format = Format::unsigned(u32::BITS - largest.leading_zeros(), 0);
+        CoreInput::between(meaning, name, format, 1.0, largest.into())
+    }
+
     /// Inputs for a vector's components, each from -`limit` to `limit`.
     pub(crate) fn vector(
         meaning: &InputMeaning,

@@ -14,10 +14,15 @@ pub(crate) fn small_q_bits(needs: &Needs) -> u32 {
     (-2.0 * needs.shortest_normal.max(0.0625).log2()).ceil() as u32
 }
 
-/// Integer bits m of 1/√q that reach twice as far as the shortest normal asks, so that rounding
-/// cannot lead past them; q of `operand` fraction bits tells 4^-m from 0.
+/// Integer bits m of 1/√q, q = N·N, for the shortest normal of a scene.
 pub(crate) fn root_reach(needs: &Needs, operand: u32) -> u32 {
-    let shortest = needs.shortest_normal.max(0.5f64.powi(LARGEST_ROOT_REACH as i32));
+    reach(needs.shortest_normal, operand)
+}
+
+/// Integer bits m of 1/√q that reach twice as far as the shortest vector asks, so that rounding
+/// cannot lead past them; q of `operand` fraction bits tells 4^-m from 0.
+pub(crate) fn reach(shortest: f64, operand: u32) -> u32 {
+    let shortest = shortest.max(0.5f64.powi(LARGEST_ROOT_REACH as i32));
     ((-shortest.log2()).ceil() as u32 + 1).min(operand / 2).min(LARGEST_ROOT_REACH)
 }
 

@@ -48,6 +48,7 @@ mod spec_file;
 mod specialisation;
 mod specialise;
 mod target_clock;
+pub mod ways;
 
 pub use specula_datapath::{Format, Hold, InputPort, SpanPacket, format};
 

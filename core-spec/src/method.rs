@@ -152,7 +152,7 @@ methods! {
 impl Method {
     /// The method for a scene that names none.
     pub(crate) fn default_for(needs: &Needs) -> Method {
-        if needs.local_eye || !needs.local_lights.is_empty() { Method::Phong } else { Method::Lyon }
+        if needs.has_places() { Method::Phong } else { Method::Lyon }
     }
 
     /// The method of that name.

@@ -87,16 +87,16 @@ impl CoreParameters {
         self.local_lights.iter().map(exponent).max().unwrap_or(1)
     }
 
-    /// Whether the directions to all lights and to the eye are the same at every pixel.
-    fn directions_are_constant(&self) -> bool {
-        self.local_lights.is_empty() && !self.local_eye
+    /// Whether lights or the eye are at places.
+    pub fn has_places(&self) -> bool {
+        self.local_eye || !self.local_lights.is_empty()
     }
 
     /// For how long inputs of a role stand still, unless they are held for a span anyway; lights and
     /// the eye at places are seen from `viewpoint`.
     pub(crate) fn hold(&self, role: InputRole, viewpoint: Viewpoint) -> Hold {
         let of_material = !self.several_materials;
-        let of_lights = self.directions_are_constant() || viewpoint != Viewpoint::Span;
+        let of_lights = !self.has_places() || viewpoint != Viewpoint::Span;
         let holds = match role {
             InputRole::Light => of_lights,
             InputRole::Exponent | InputRole::Ambient => of_material,

@@ -5,8 +5,11 @@
 //! so that all of them go from pixel to pixel.
 use glam::DVec3;
 use specula_fixtures::frames::{frame, material, tilted};
-use specula_golden::exact::MethodSpan;
+use specula_golden::exact::formula::normalisation::g2;
+use specula_golden::exact::formula::reflection::reflection_minus_light;
+use specula_golden::exact::formula::shape::lobe;
 use specula_golden::exact::formula::wrap;
+use specula_golden::exact::{MethodSpan, phong};
 use specula_golden::loops::software::{METHODS, Mesh, by_name};
 use specula_golden::loops::{
     Blinn, Chained, Chebyshev, Consistent, ConsistentNormal, Direct, DuffBlinn, DuffHybrid,
@@ -16,7 +19,7 @@ use specula_golden::loops::{
     Trigonometric, TrowbridgeReitz, Uniform, Unit,
 };
 use specula_scene::frame::EYE;
-use specula_scene::{Frame, LocalLight, Needs, Spot};
+use specula_scene::{DirectionalLight, Frame, LocalLight, Needs, Spot};
 use specula_spec::phong::Places;
 use specula_spec::{CoreSpec, FULL_SCALE, Method, MethodSpec};
 
@@ -97,6 +100,20 @@ fn shaded(Pair { diffuse, base }: Pair<f64>, exponent: u32) -> f64 {
             + k_s * base.clamp(0.0, 1.0).powi(exponent as i32))
 }
 
+/// B10 with K = 3, which no `--method` has: behind g2, (1 - x/3)^3.
+fn cubed(frame: &Frame) -> Vec<f64> {
+    let (span, light) = (&frame.spans[0], frame.lights[0].direction);
+    let [start, end] = frame.end_normals(span);
+    let pixel = |i: u32| {
+        let n = start.lerp(end, span.parameter(i));
+        let n = g2(n.length_squared()) * n;
+        let x = f64::from(SHININESS) / 2.0 * reflection_minus_light(n, light).length_squared();
+        // The highlight stands for the base of exponent 1.
+        shaded(Pair { diffuse: n.dot(light), base: lobe(x, 3) }, 1)
+    };
+    (0..=STEPS).map(pixel).collect()
+}
+
 /// C7 with Phong's highlight, which no `--method` has.
 fn chained(frame: &Frame) -> Vec<f64> {
     let (span, light) = (&frame.spans[0], frame.lights[0].direction);
@@ -136,17 +153,18 @@ rows! {
     "slerp-frame", FrameSlerp<f64>, |f| method(f, Method::Slerp, ""), Step;
     "chebyshev", Chebyshev<f64>, |f| method(f, Method::Slerp, ""), Difference;
     "lyon", LyonCross<f64>, |f| lyon(f, "difference = \"halfway-cross-normal\""), Step;
-    "lyon-reflection", LyonReflection<f64, 2>, |f| lyon(f, "difference = \"reflection-minus-light\""), Step;
-    "lyon-reflection-1", LyonReflection<f64, 1>, |f| lyon(f, "difference = \"reflection-minus-light\"\nsquarings = 1"), Step;
-    "lyon-reflection-0", LyonReflection<f64, 0>, |f| lyon(f, "difference = \"reflection-minus-light\"\nsquarings = 0"), Step;
+    "lyon-reflection", LyonReflection<f64, 4>, |f| lyon(f, "difference = \"reflection-minus-light\""), Step;
+    "lyon-reflection-1", LyonReflection<f64, 2>, |f| lyon(f, "difference = \"reflection-minus-light\"\nsquarings = 1"), Step;
+    "lyon-reflection-0", LyonReflection<f64, 1>, |f| lyon(f, "difference = \"reflection-minus-light\"\nsquarings = 0"), Step;
+    "lyon-reflection-cubed", LyonReflection<f64, 3>, cubed, Step;
     "lyon-light-reflection", LyonLightReflection<f64>, |f| lyon(f, "difference = \"light-reflection\""), Step;
-    "lyon-projection", LyonProjection<f64, Sum, 2>, |f| lyon(f, "difference = \"halfway-projection\""), Step;
-    "lyon-unit-projection", LyonProjection<f64, Unit, 2>, |f| lyon(f, "difference = \"unit-halfway-projection\""), Step;
-    "lyon-half-projection", LyonProjection<f64, Half, 2>,
+    "lyon-projection", LyonProjection<f64, Sum, 4>, |f| lyon(f, "difference = \"halfway-projection\""), Step;
+    "lyon-unit-projection", LyonProjection<f64, Unit, 4>, |f| lyon(f, "difference = \"unit-halfway-projection\""), Step;
+    "lyon-half-projection", LyonProjection<f64, Half, 4>,
         |f| lyon(f, "difference = \"unit-halfway-projection\"\nhalfway = \"half\""), Step;
-    "lyon-half-g2-projection", LyonProjection<f64, HalfG2, 2>,
+    "lyon-half-g2-projection", LyonProjection<f64, HalfG2, 4>,
         |f| lyon(f, "difference = \"unit-halfway-projection\"\nhalfway = \"half-g2\""), Step;
-    "lyon-half-g2-projection-1", LyonProjection<f64, HalfG2, 1>,
+    "lyon-half-g2-projection-1", LyonProjection<f64, HalfG2, 2>,
         |f| lyon(f, "difference = \"unit-halfway-projection\"\nhalfway = \"half-g2\"\nsquarings = 1"), Step;
     "lyon-unit-normal", LyonNormal<f64, Unit>, |f| lyon(f, "difference = \"unit-halfway-minus-normal\""), Step;
     "lyon-half-g2-normal", LyonNormal<f64, HalfG2>,
@@ -317,6 +335,68 @@ fn vertices_and_polygons_see_places() {
                 }
             }
         }
+    }
+}
+
+/// A pixel is its own middle: there, at a vertex, every loop of Phong's formula is exact, however
+/// near lights and eye are.
+#[test]
+fn the_middle_of_a_pixel_sees_places() {
+    let loops = [
+        "phong",
+        "fast-phong",
+        "fast-phong-2",
+        "slerp",
+        "slerp-frame",
+        "duff",
+        "duff-hybrid",
+        "duff-quotient",
+        "direct",
+        "hybrid",
+        "reflection",
+        "reflection-hybrid",
+        "reflection-chained",
+    ];
+    let mut frame = lit_from_places(1.5);
+    let span = &mut frame.spans[0];
+    (span.length, span.end) = (1, span.start);
+    let span = &frame.spans[0];
+    let exact = phong(&frame, span, 0);
+    for name in loops {
+        let mut out = [[0.0; 3]];
+        by_name(name).unwrap().shade(&frame, span, &mut out);
+        let error = (f64::from(out[0][0]) - exact[0]).abs();
+        assert!(error < 0.05, "{name}: {error}");
+    }
+}
+
+/// Lights and an eye far away are the same from the middle of a span as at infinity.
+#[test]
+fn far_places_are_as_at_infinity() {
+    let far = {
+        let mut frame = lit_from_places(1e6);
+        frame.eye = Some(1e6 * EYE);
+        frame.local_lights.iter_mut().for_each(|light| light.spot = None);
+        frame
+    };
+    let infinite = {
+        let mut frame = far.clone();
+        let light = |light: LocalLight| DirectionalLight {
+            direction: light.position.normalize(),
+            colour: light.colour,
+        };
+        frame.lights.extend(frame.local_lights.drain(..).map(light));
+        frame.eye = None;
+        frame
+    };
+    for method in METHODS.iter().filter(|method| method.serves(&infinite)) {
+        let shaded = [&far, &infinite].map(|frame| {
+            let mut out = [[0.0; 3]; 65];
+            method.shade(frame, &frame.spans[0], &mut out);
+            out.map(|pixel| f64::from(pixel[0]))
+        });
+        let error = largest_difference(&shaded[0], &shaded[1]);
+        assert!(error < 0.01, "{}: {error}", method.name);
     }
 }
 

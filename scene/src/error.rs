@@ -83,7 +83,7 @@ impl From<MeshError> for SceneError {
 
 impl SceneError {
     /// The error of drawing the scene `scene`.
-    pub(crate) fn picture(scene: &str, error: PictureError) -> SceneError {
+    pub fn picture(scene: &str, error: PictureError) -> SceneError {
         let help = error.help();
         SceneError::Picture { scene: scene.to_owned(), error, help }
     }

@@ -157,6 +157,12 @@ impl Span {
         if self.length == 1 { 0.0 } else { f64::from(i) / f64::from(self.steps()) }
     }
 
+    /// m and k of the vector m + k i at pixel i that has these values at the first pixel and the
+    /// last; k is 0 in a span of one pixel.
+    pub fn start_and_step(&self, [start, end]: [DVec3; 2]) -> [DVec3; 2] {
+        [start, (end - start) / f64::from(self.steps().max(1))]
+    }
+
     /// Barycentric weights at pixel `i`.
     pub fn weights(&self, i: u32) -> [f64; 3] {
         let t = self.parameter(i);
@@ -276,8 +282,7 @@ impl Frame {
     /// N(i) = m + k i along a span, scaled as [`Frame::end_normals`]: m and k. In a span of one
     /// pixel k is 0.
     pub fn normal_and_step(&self, span: &Span) -> [DVec3; 2] {
-        let [start, end] = self.end_normals(span);
-        [start, (end - start) / f64::from(span.steps().max(1))]
+        span.start_and_step(self.end_normals(span))
     }
 
     /// The arc from the normal at a span's first pixel to that at its last: N(t) = cos(t f) A +
@@ -295,15 +300,6 @@ impl Frame {
         });
         // An arc cosine of the rounded dot product would lose small angles (extremes row 15).
         Arc { start: a, across, angle: libm::atan2(axis.length(), a.dot(b)) }
-    }
-
-    /// Gouraud's intensity at the first pixel and its step: max(N·L, 0) at the triangle's vertices,
-    /// interpolated linearly [lecture, eq. 3.2 to 3.6].
-    pub fn gouraud(&self, span: &Span, light: DVec3) -> [f64; 2] {
-        self.interpolated(
-            span,
-            self.triangles[span.triangle].normals.map(|normal| normal.dot(light).max(0.0)),
-        )
     }
 
     /// A quantity of a triangle's vertices, interpolated linearly: its value at the first pixel and

@@ -185,9 +185,9 @@ impl Needs {
         }
     }
 
-    /// Whether the directions to all lights and to the eye are the same at every pixel.
-    pub fn directions_are_constant(&self) -> bool {
-        self.local_lights.is_empty() && !self.local_eye
+    /// Whether lights or the eye are at places, so that pixels see them in different directions.
+    pub fn has_places(&self) -> bool {
+        self.local_eye || !self.local_lights.is_empty()
     }
 }
 
@@ -263,13 +263,19 @@ fn shortest([a, b]: [DVec3; 2]) -> f64 {
     (a + delta * foot.clamp(0.0, 1.0)).length()
 }
 
-/// The smallest cosine of a span, as its middle sees an eye at a place.
+/// The smallest cosine of a span, as its middle sees an eye at a place, and as its pixels do.
 fn least_view_cosine_of(frame: &Frame, span: &Span) -> f64 {
     if frame.eye.is_none() {
         return least_view_cosine(frame.end_axes(span));
     }
     let parallel = ParallelSpan::new(frame, span);
-    least_view_cosine(parallel.frame.end_axes(parallel.span()))
+    let of_the_middle = least_view_cosine(parallel.frame.end_axes(parallel.span()));
+    let [start, end] = frame.end_axes(span);
+    let at = |i: u32| {
+        let axis = start.lerp(end, span.parameter(i)).try_normalize()?;
+        Some(axis.dot(frame.view_from(frame.position_at(span, span.weights(i)))?))
+    };
+    (0..span.length).map(|i| at(i).unwrap_or(-1.0)).fold(of_the_middle, f64::min)
 }
 
 /// The smallest cosine between the eye and the normals between two ends, -1 if one has no

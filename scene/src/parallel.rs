@@ -21,16 +21,21 @@ impl ParallelSpan {
     ///
     /// A light at the very middle is dark; an eye there sees no highlight (extremes row 39).
     pub fn new(frame: &Frame, span: &Span) -> ParallelSpan {
+        let middle = std::array::from_fn(|v| f64::midpoint(span.start[v], span.end[v]));
+        ParallelSpan::seen_from(frame, span, middle)
+    }
+
+    /// The same, lit and seen from the point at barycentric `weights`.
+    pub fn seen_from(frame: &Frame, span: &Span, weights: [f64; 3]) -> ParallelSpan {
         let triangle = &frame.triangles[span.triangle];
-        let middle = frame
-            .position_at(span, std::array::from_fn(|v| f64::midpoint(span.start[v], span.end[v])));
-        let view = frame.view_from(middle);
+        let point = frame.position_at(span, weights);
+        let view = frame.view_from(point);
         let turn = DQuat::from_rotation_arc(view.unwrap_or(EYE), EYE);
         let mut material = frame.materials[triangle.material].clone();
         if view.is_none() {
             material.specular = [0.0; 3];
         }
-        let lights = frame.lights_from(middle).zip(frame.light_colours()).map(|(light, colour)| {
+        let lights = frame.lights_from(point).zip(frame.light_colours()).map(|(light, colour)| {
             let (direction, share) =
                 light.map_or((EYE, 0.0), |light| (turn * light.direction, light.share));
             DirectionalLight { direction, colour: colour.map(|component| share * component) }

@@ -114,7 +114,7 @@ fn facts(report: &Report) -> Vec<[String; 2]> {
     let rows = [
         ("scene", format!("{}, by {}", report.scene, report.method)),
         ("lights", format!("{}, of which {} at a place", needs.lights, needs.local_lights.len())),
-        ("directions to lights and eye are constant", yes_or_no(needs.directions_are_constant())),
+        ("directions to lights and eye are constant", yes_or_no(!needs.has_places())),
         ("longest span", format!("{} pixels", needs.longest_span)),
         ("widest angle between normals of a span", format!("{:.1} degrees", needs.widest_angle)),
         ("materials", needs.materials.to_string()),

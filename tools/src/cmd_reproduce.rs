@@ -4,21 +4,23 @@ mod figure9;
 mod figures;
 mod hast;
 mod lecture;
+mod page;
 mod pictured_mesh;
+mod project;
 mod reshetov;
 mod section;
 
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Subcommand};
 use specula_experiments::reproduce::Paper;
-use specula_scene::regular::read_regular;
 
 use crate::error::ToolError;
-use crate::output::{Interrupts, OutputError, write_file};
+use crate::output::Interrupts;
 use crate::verdict::Verdict;
+use page::Page;
 use pictured_mesh::PicturedMesh;
 use section::Section;
 
@@ -26,7 +28,8 @@ const EXAMPLE: &str = "\
 Evaluates the papers' claims with this program's own exact shading and with its cores, compares the \
 numbers with the project's independent measurements, and says whether each claim holds; draws the \
 papers' figures and pictures. Writes DIR/reproduction.md and DIR/images/. `specula reproduce figure9` \
-shades Lyon's figure 9 with a core for each of its twelve rows, in a folder of its own.
+shades Lyon's figure 9 with a core for each of its twelve rows, in a folder of its own; `specula \
+reproduce project` times the papers' loops.
 
 Exit status: 0 if every number is the one measured before, 1 if not.
 
@@ -41,7 +44,7 @@ Example: specula reproduce hast --mesh venus.ply -o out/reproduce";
 )]
 pub struct Arguments {
     #[command(subcommand)]
-    figure: Option<Figure>,
+    part: Option<Part>,
     /// The paper [default: all of them]
     #[arg(value_parser = paper_parser())]
     paper: Option<Paper>,
@@ -54,11 +57,13 @@ pub struct Arguments {
     output: Option<PathBuf>,
 }
 
-/// Figures that cores shade, each with its own options.
+/// What takes longer or has options of its own.
 #[derive(Clone, Debug, Subcommand)]
-enum Figure {
+enum Part {
     /// Shade Lyon's figure 9 with twelve cores, one for each of its rows
     Figure9(figure9::Arguments),
+    /// Time the papers' loops on three models, as the lecture's project 1 asks
+    Project(project::Arguments),
 }
 
 fn paper_parser() -> impl TypedValueParser<Value = Paper> {
@@ -73,8 +78,9 @@ pub fn execute(
     stdout: &mut dyn Write,
     interrupts: &Interrupts,
 ) -> Result<Verdict, ToolError> {
-    match &arguments.figure {
-        Some(Figure::Figure9(figure)) => figure9::execute(figure, stdout, interrupts),
+    match &arguments.part {
+        Some(Part::Figure9(figure)) => figure9::execute(figure, stdout, interrupts),
+        Some(Part::Project(project)) => project::execute(project, stdout, interrupts),
         None => claims(arguments, stdout, interrupts),
     }
 }
@@ -88,55 +94,18 @@ fn claims(
     let papers: Vec<Paper> = arguments.paper.map_or(Paper::ALL.into(), |paper| vec![paper]);
     let sections: Vec<Section> =
         papers.into_iter().map(|paper| section(paper, &mesh)).collect::<Result<_, _>>()?;
-    let text = document::text(&sections);
-    if let Some(folder) = &arguments.output {
-        write_files(folder, &sections, &text, interrupts)?;
-    }
-    write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
+    let page = Page {
+        name: document::NAME,
+        head: document::HEAD,
+        text: document::text(&sections),
+        pictures: sections.iter().flat_map(|section| &section.files).collect(),
+    };
+    page.give(arguments.output.as_deref(), stdout, interrupts)?;
     Ok(if sections.iter().all(|section| section.as_expected) {
         Verdict::Done
     } else {
         Verdict::Disagrees
     })
-}
-
-/// Name of the file with the text.
-const TEXT: &str = "reproduction.md";
-/// Largest file, in bytes, that may be a text of this command's.
-const LONGEST_TEXT: u64 = 16 << 20;
-
-fn write_files(
-    folder: &Path,
-    sections: &[Section],
-    text: &str,
-    interrupts: &Interrupts,
-) -> Result<(), ToolError> {
-    let pictures = || sections.iter().flat_map(|section| &section.files);
-    let place = |file: &section::File| Path::new(section::IMAGES).join(&file.name);
-    refuse_foreign(folder, pictures().map(place).chain([PathBuf::from(TEXT)]))?;
-    // The text is written last, so that it shows no picture that is missing.
-    for file in pictures() {
-        write_file(&folder.join(place(file)), interrupts, |path| file.write(path))?;
-    }
-    Ok(write_file(&folder.join(TEXT), interrupts, |path| std::fs::write(path, text))?)
-}
-
-/// Refuses to replace files of these names unless a text that this command wrote is there too.
-fn refuse_foreign(
-    folder: &Path,
-    mut names: impl Iterator<Item = PathBuf>,
-) -> Result<(), OutputError> {
-    let earlier = read_regular(&folder.join(TEXT), LONGEST_TEXT);
-    if earlier.is_ok_and(|text| text.starts_with(document::HEAD.as_bytes())) {
-        return Ok(());
-    }
-    match names.find(|name| folder.join(name).symlink_metadata().is_ok()) {
-        Some(name) => Err(OutputError::InTheWay {
-            folder: folder.to_owned(),
-            name: name.display().to_string(),
-        }),
-        None => Ok(()),
-    }
 }
 
 /// What the section about Lyon's report says besides claims and plots.

@@ -9,7 +9,8 @@ use crate::error::SpecError;
 use crate::method_set_up::SetUpSpan;
 use crate::narrowing::{MOST_FRACTION_BITS, NarrowingPoint, SIGNED_UNIT, UNIT};
 use crate::power::Power;
-use crate::shading_method::{OptionDomain, ShadingMethod};
+use crate::shading_method::{OptionDomain, ShadingMethod, Viewpoint};
+use crate::ways::{self, Places};
 
 /// The most fraction bits of ρ², twice those of ρ.
 const MOST_SQUARED_FRACTION_BITS: u32 = 48;
@@ -24,6 +25,7 @@ impl ConsistentSpec {
         OptionDomain { key: "diffuse", values: &["\"lambert\"", "\"consistent\""] },
         OptionDomain { key: "highlight", values: &["\"reflection\"", "\"blinn\""] },
         Power::OPTION_DOMAIN,
+        Places::OPTION_DOMAIN,
     ];
 
     /// numerics N5 and N3e: 14 bits, 2 more for wide angles, and as many more
@@ -45,6 +47,7 @@ impl ConsistentSpec {
             diffuse: Diffuse::Lambert,
             highlight: Highlight::Reflection,
             power: Power::for_needs(needs),
+            places: Places::for_needs(needs),
             formats: ConsistentFormats {
                 // A step is off by half an ulp, and so is S times that at the end of the span: log2
                 // S + 1 more bits keep the weight within half an ulp of its own format.
@@ -62,6 +65,7 @@ impl ConsistentSpec {
                 cosine: Format::signed(1, fine),
                 sine_ratio_squared: unit(squared),
                 sine_ratio: unit(fine),
+                way_accumulator: ways::vector_accumulator_for_spans(s, Format::signed(1, fine)),
                 diffuse: unit(12),
                 base: unit(11 + j.max(4)),
                 shape: Format::unsigned(1, 12),
@@ -86,6 +90,7 @@ impl ShadingMethod for ConsistentSpec {
             cosine,
             sine_ratio_squared,
             sine_ratio,
+            way_accumulator,
             diffuse,
             base,
             shape: _,
@@ -130,7 +135,9 @@ impl ShadingMethod for ConsistentSpec {
                 "r.L or N_c.H, clamped to 0..1, and each square of it where power = squaring",
             ),
         ];
-        points.into_iter().chain(self.power_unit().narrowing_point()).collect()
+        let of_ways =
+            ways::vector_accumulator_point(self.places, way_accumulator, vector, span_bits);
+        points.into_iter().chain(of_ways).chain(self.power_unit().narrowing_point()).collect()
     }
 
     fn options(&self) -> Vec<(&'static str, String)> {
@@ -151,11 +158,16 @@ impl ShadingMethod for ConsistentSpec {
             .map(|(name, value)| (name, value.to_owned()))
             .into_iter()
             .chain([self.power.option()])
+            .chain(self.places.option())
             .collect()
     }
 
     fn check_compatible(&self, needs: &Needs) -> Result<(), SpecError> {
         self.power.check_compatible(needs, "consistent")
+    }
+
+    fn places_seen_from(&self) -> Viewpoint {
+        self.places.viewpoint()
     }
 
     fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {

@@ -4,6 +4,7 @@ use crate::core_input::CoreInput;
 use crate::input_meaning::InputMeaning;
 use crate::inputs::{CoreInputs, MethodInputs, inputs};
 use crate::parameters::CoreParameters;
+use crate::ways::{VectorLight, VectorWay};
 
 /// t at a vertex is 1.06097 at most, which is 1.06097 quarter turns with the trigonometric curve
 /// and less with the rational one.
@@ -22,6 +23,8 @@ inputs! {
         angle_start: one,
         /// What t grows by with each pixel; next to 0 in a span of one pixel.
         angle_step: one,
+        /// The way to an eye at a place; there if places are seen from pixels.
+        eye: group_if_any(VectorWay),
         /// n, or its logarithm.
         exponent: one,
     }
@@ -30,9 +33,11 @@ inputs! {
 inputs! {
     /// Inputs of one light.
     ConsistentLight {
-        /// L.
-        direction: vector,
-        /// H = (L + V)/|L + V|; there with Blinn's highlight only.
+        /// L; there without ways to places.
+        direction: vector_if_any,
+        /// The way to the light; there if places are seen from pixels.
+        way: group_if_any(VectorLight),
+        /// H = (L + V)/|L + V|; there with Blinn's highlight only, without ways to places.
         halfway: vector_if_any,
     }
 }
@@ -85,18 +90,24 @@ impl MethodInputs for ConsistentSpec {
                 LARGEST_ANGLE + f.angle_accumulator.ulp(),
             ),
             angle_step: angle(angle_step, "angle_step", -LARGEST_ANGLE, LARGEST_ANGLE),
+            eye: (self.places.follows_ways(core) && core.local_eye)
+                .then(|| VectorWay::inputs("E", "eye", f.way_accumulator)),
             exponent: self.power_unit().exponent_input(core),
         }
     }
 
-    fn light_inputs(&self, _core: &CoreParameters, index: usize) -> ConsistentLight<CoreInput> {
+    fn light_inputs(&self, core: &CoreParameters, index: usize) -> ConsistentLight<CoreInput> {
         let vector = |meaning: &InputMeaning, part: &str| {
             CoreInput::vector(meaning, &format!("light{index}_{part}"), self.formats.vector, 1.0)
         };
         let halfway = || vector(&InputMeaning::unit_halfway(), "halfway");
+        let follows_ways = self.places.follows_ways(core);
+        let f = &self.formats;
         ConsistentLight {
-            direction: vector(&InputMeaning::direction(), "direction"),
-            halfway: (self.highlight == Highlight::Blinn).then(halfway),
+            direction: (!follows_ways).then(|| vector(&InputMeaning::direction(), "direction")),
+            way: follows_ways
+                .then(|| VectorLight::inputs(core, index, f.way_accumulator, f.vector)),
+            halfway: (self.highlight == Highlight::Blinn && !follows_ways).then(halfway),
         }
     }
 }

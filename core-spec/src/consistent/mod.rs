@@ -13,6 +13,7 @@ use specula_datapath::Format;
 
 use crate::formats::formats;
 use crate::power::{Power, PowerUnit};
+use crate::ways::Places;
 pub use inputs::{ConsistentInputs, ConsistentLight, ConsistentSpan, LARGEST_ANGLE};
 
 /// How q depends on α, with t = 2α/π.
@@ -62,6 +63,8 @@ pub struct ConsistentSpec {
     pub highlight: Highlight,
     /// How the power of the highlight is taken.
     pub power: Power,
+    /// From where lights and the eye at places are seen.
+    pub places: Places,
     /// The narrowing points.
     pub formats: ConsistentFormats,
 }
@@ -97,6 +100,9 @@ formats! {
         pub sine_ratio_squared: Format,
         /// ρ = sin γ/sin β, the share of -I in r: `U1.f`.
         pub sine_ratio: Format,
+        /// Accumulators of the components of ways to places (with places seen from pixels only):
+        /// `S3.f`. The host rounds start and step into it.
+        pub way_accumulator: Format,
         /// Diffuse intensity, clamped to 0..1: `U1.f`.
         pub diffuse: Format,
         /// r·L or N_c·H, clamped to 0..1, and each square of it: `U1.f`.

@@ -5,6 +5,7 @@ use specula_scene::frame::{DirectionalLight, Frame, Span, halfway};
 
 use super::{ConsistentLight, ConsistentSpan, ConsistentSpec, Highlight};
 use crate::method_set_up::MethodSetUp;
+use crate::ways::Ways;
 
 /// Sets up the spans of a frame.
 pub(super) struct ConsistentSetUp<'a> {
@@ -42,6 +43,14 @@ impl<'a> ConsistentSetUp<'a> {
         ConsistentSetUp { consistent, frame, lights }
     }
 
+    fn sends_ways(&self) -> bool {
+        self.consistent.places.sends_ways(self.frame)
+    }
+
+    fn ways<'b>(&'b self, span: &'b Span) -> Ways<'b> {
+        Ways { frame: self.frame, span, accumulator: self.consistent.formats.way_accumulator }
+    }
+
     /// t at the first pixel and its step, from the angles at the triangle's vertices.
     fn angle(&self, span: &Span) -> [f64; 2] {
         let at_vertices = self.frame.triangles[span.triangle]
@@ -71,17 +80,22 @@ impl MethodSetUp for ConsistentSetUp<'_> {
             weight_step: f.weight_accumulator.quantise(span.weight_step()),
             angle_start,
             angle_step,
+            eye: self.ways(span).vector_eye().filter(|_| self.sends_ways()),
             exponent: self.consistent.power_unit().exponent(self.frame.material(span).shininess),
         }
     }
 
-    fn light_inputs(&self, _span: &Span, (): &(), index: usize) -> ConsistentLight<i64> {
+    fn light_inputs(&self, span: &Span, (): &(), index: usize) -> ConsistentLight<i64> {
+        if self.sends_ways() {
+            let way = self.ways(span).vector_light(index, self.consistent.formats.vector);
+            return ConsistentLight { direction: None, way: Some(way), halfway: None };
+        }
         let &Vectors { direction, halfway, .. } = &self.lights[index];
-        ConsistentLight { direction, halfway }
+        ConsistentLight { direction: Some(direction), way: None, halfway }
     }
 
     fn has_highlight(&self, index: usize) -> bool {
-        self.lights[index].has_highlight
+        self.sends_ways() || self.lights[index].has_highlight
     }
 }
 

@@ -9,7 +9,8 @@ use crate::error::{SpecError, within};
 use crate::method_set_up::SetUpSpan;
 use crate::narrowing::{MOST_FRACTION_BITS, NarrowingPoint, SIGNED_UNIT, UNIT};
 use crate::power::Power;
-use crate::shading_method::{OptionDomain, ShadingMethod};
+use crate::shading_method::{OptionDomain, ShadingMethod, Viewpoint};
+use crate::ways::{self, Places};
 
 /// The most integer bits m of 1/√q: normals shorter than 2^-m come out short.
 const LARGEST_REACH: u32 = 4;
@@ -18,6 +19,7 @@ impl DirectSpec {
     /// Options and their values.
     pub const OPTION_DOMAINS: &'static [OptionDomain] = &[
         Power::OPTION_DOMAIN,
+        Places::OPTION_DOMAIN,
         OptionDomain { key: "root", values: &["\"exact\"", "\"newton\""] },
         OptionDomain { key: "newton_steps", values: &["1", "2"] },
     ];
@@ -30,10 +32,12 @@ impl DirectSpec {
         let reach = (-needs.shortest_normal.max(0.0625).log2()).ceil() as u32;
         let most = |bits: u32| bits.min(MOST_FRACTION_BITS);
         let weight = 12 + j.div_ceil(2) + reach;
+        let cosine = Format::signed(1, most(12 + j + reach));
         DirectSpec {
             root: Root::Exact,
             newton_steps: 2,
             power: Power::for_needs(needs),
+            places: Places::for_needs(needs),
             formats: DirectFormats {
                 weight_accumulator: Format::unsigned(1, weight + s + 1),
                 weight: Format::unsigned(1, weight),
@@ -43,7 +47,9 @@ impl DirectSpec {
                 length_squared: Format::unsigned(1, most(12 + j + 2 * reach)),
                 length: Format::unsigned(1, most(12 + j + reach)),
                 reciprocal: Format::unsigned(reach, most(12 + j)),
-                cosine: Format::signed(1, most(12 + j + reach)),
+                cosine,
+                way_accumulator: ways::accumulator_for_spans(s, cosine),
+                way_root: ways::root_for_needs(needs, cosine, most(12 + j)),
                 diffuse: Format::unsigned(1, 12),
                 base: Format::unsigned(1, 9 + j),
                 shape: Format::unsigned(1, 12),
@@ -65,6 +71,8 @@ impl ShadingMethod for DirectSpec {
             length,
             reciprocal,
             cosine,
+            way_accumulator,
+            way_root,
             diffuse,
             base,
             shape: _,
@@ -103,7 +111,8 @@ impl ShadingMethod for DirectSpec {
         }
         points.extend([
             point("reciprocal", reciprocal, reach, "1/sqrt(q)"),
-            point("cosine", cosine, SIGNED_UNIT, "N.L and N.V, and both times 1/sqrt(q)"),
+            point("cosine", cosine, SIGNED_UNIT, "N.L and N.V, and both times 1/sqrt(q)")
+                .with_at_least(ways::finest_square(self.places, way_root)),
             point("diffuse", diffuse, UNIT, "N.L/sqrt(q), clamped to 0..1").no_finer_than(cosine),
             point(
                 "base",
@@ -112,6 +121,8 @@ impl ShadingMethod for DirectSpec {
                 "2 J K - L.V, clamped to 0..1, and each square of it where power = squaring",
             ),
         ]);
+        points.extend(ways::accumulator_point(self.places, way_accumulator, cosine, span_bits));
+        points.extend(ways::narrowing_point(self.places, way_root));
         points.extend(self.power_unit().narrowing_point());
         points
     }
@@ -125,7 +136,8 @@ impl ShadingMethod for DirectSpec {
             Root::Exact => "1/sqrt(q), correctly rounded".to_owned(),
             Root::Newton => format!("{steps} of Newton's method from the pixel before"),
         };
-        vec![("root", root), self.power.option()]
+        let options = [("root", root), self.power.option()];
+        options.into_iter().chain(self.places.option()).collect()
     }
 
     fn check_options(&self) -> Result<(), SpecError> {
@@ -140,6 +152,10 @@ impl ShadingMethod for DirectSpec {
 
     fn check_compatible(&self, needs: &Needs) -> Result<(), SpecError> {
         self.power.check_compatible(needs, "direct")
+    }
+
+    fn places_seen_from(&self) -> Viewpoint {
+        self.places.viewpoint()
     }
 
     fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {

@@ -4,6 +4,7 @@ use crate::core_input::CoreInput;
 use crate::input_meaning::InputMeaning;
 use crate::inputs::{CoreInputs, MethodInputs, inputs};
 use crate::parameters::CoreParameters;
+use crate::ways::{EyeCosine, LightCosine};
 
 inputs! {
     /// Inputs that the lights of a span have in common.
@@ -12,8 +13,10 @@ inputs! {
         weight_step: one,
         /// κ = |B - A|².
         spread: one,
-        /// N·V.
-        view: group(Ends),
+        /// N·V; there for an eye at infinity, or if places are seen from the middle of spans.
+        view: group_if_any(Ends),
+        /// The way to an eye at a place; there if places are seen from pixels.
+        eye: group_if_any(EyeCosine),
         /// n, or its logarithm.
         exponent: one,
     }
@@ -22,10 +25,12 @@ inputs! {
 inputs! {
     /// Inputs of one light.
     DirectLight {
-        /// N·L.
-        light: group(Ends),
-        /// L·V; 1 where the span has no normal, which leaves no highlight.
-        light_dot_view: one,
+        /// N·L; there without ways to places.
+        light: group_if_any(Ends),
+        /// The way to the light; there if places are seen from pixels.
+        way: group_if_any(LightCosine),
+        /// L·V, without ways to places; 1 where the span has no normal, which leaves no highlight.
+        light_dot_view: one_if_any,
     }
 }
 
@@ -54,27 +59,29 @@ impl MethodInputs for DirectSpec {
             "how far the ends' normals are apart",
             "|B - A|^2 of the unit normals A and B at the first and the last pixel",
         );
+        let has_eye = self.places.follows_ways(core) && core.local_eye;
         DirectSpan {
             weight_step: CoreInput::between(weight_step, "weight_step", weight, 0.0, 1.0),
             spread: CoreInput::between(spread, "spread", f.spread, 0.0, 4.0),
-            view: self.ends("N.V", "view"),
+            view: (!has_eye).then(|| self.ends("N.V", "view")),
+            eye: has_eye.then(|| EyeCosine::inputs(f.way_accumulator)),
             exponent: self.power_unit().exponent_input(core),
         }
     }
 
-    fn light_inputs(&self, _core: &CoreParameters, index: usize) -> DirectLight<CoreInput> {
+    fn light_inputs(&self, core: &CoreParameters, index: usize) -> DirectLight<CoreInput> {
         let (dot_view, component) = (format!("light{index}_dot_view"), self.formats.component);
+        // Spans without a normal have another one.
+        let of_spans = || {
+            let meaning = InputMeaning::light_dot_view_of_spans();
+            CoreInput::between(meaning, dot_view, component, -1.0, 1.0).held_for_a_span()
+        };
+        let follows_ways = self.places.follows_ways(core);
+        let format = self.formats.way_accumulator;
         DirectLight {
-            light: self.ends("N.L", &format!("light{index}")),
-            // Spans without a normal have another one.
-            light_dot_view: CoreInput::between(
-                InputMeaning::light_dot_view_of_spans(),
-                dot_view,
-                component,
-                -1.0,
-                1.0,
-            )
-            .held_for_a_span(),
+            light: (!follows_ways).then(|| self.ends("N.L", &format!("light{index}"))),
+            way: follows_ways.then(|| LightCosine::inputs(core, index, format)),
+            light_dot_view: (!follows_ways).then(of_spans),
         }
     }
 }

@@ -13,6 +13,7 @@ use specula_datapath::Format;
 
 use crate::formats::formats;
 use crate::power::{Power, PowerUnit};
+use crate::ways::{Places, WayFormats};
 pub use inputs::{DirectInputs, DirectLight, DirectSpan, Ends};
 
 /// How √q is found.
@@ -36,6 +37,8 @@ pub struct DirectSpec {
     pub newton_steps: u32,
     /// How the power of the highlight is taken.
     pub power: Power,
+    /// From where lights and the eye at places are seen.
+    pub places: Places,
     /// The narrowing points.
     pub formats: DirectFormats,
 }
@@ -64,6 +67,11 @@ formats! {
         pub reciprocal: Format,
         /// N·L and N·V, before and after they are multiplied by 1/√q: `S1.f`.
         pub cosine: Format,
+        /// Accumulators of what comes of ways to places, and their differences (with places seen
+        /// from pixels only): `S3.f`. The host rounds start values and differences into it.
+        pub way_accumulator: Format,
+        /// 1/√(X·X), X to a place (with places seen from pixels only): `U<m>.f`, which reaches 2^m.
+        pub way_root: Format,
         /// N·L/√q, clamped: `U1.f`.
         pub diffuse: Format,
         /// The base of the highlight, and each square of it: `U1.f`.
@@ -81,6 +89,19 @@ impl DirectFormats {
 }
 
 impl DirectSpec {
+    /// Where what comes of ways to places is rounded.
+    pub fn ways(&self) -> WayFormats {
+        let &DirectFormats {
+            way_accumulator: accumulator,
+            way_root: root,
+            cosine,
+            base,
+            shape,
+            ..
+        } = &self.formats;
+        WayFormats { accumulator, operand: cosine, root, cosine, base, shape }
+    }
+
     /// The power of the highlight.
     pub fn power_unit(&self) -> PowerUnit {
         PowerUnit {

@@ -4,6 +4,7 @@ use specula_scene::frame::{EYE, Frame, Span};
 
 use super::{DirectLight, DirectSpan, DirectSpec, Ends};
 use crate::method_set_up::MethodSetUp;
+use crate::ways::Ways;
 
 /// Sets up the spans of a frame.
 pub(super) struct DirectSetUp<'a> {
@@ -22,26 +23,43 @@ impl MethodSetUp for DirectSetUp<'_> {
     }
 
     fn span_inputs(&self, span: &Span, normals: &[DVec3; 2]) -> DirectSpan<i64> {
+        let has_eye = self.direct.places.sends_ways(self.frame) && self.frame.eye.is_some();
         let f = &self.direct.formats;
         DirectSpan {
             weight_step: f.weight_accumulator.quantise(span.weight_step()),
             spread: f.spread.quantise((normals[1] - normals[0]).length_squared()),
-            view: self.ends(normals, EYE),
+            view: (!has_eye).then(|| self.ends(normals, EYE)),
+            eye: has_eye
+                .then(|| self.ways(span).eye_cosine(span.start_and_step(*normals)))
+                .flatten(),
             exponent: self.direct.power_unit().exponent(self.frame.material(span).shininess),
         }
     }
 
-    fn light_inputs(&self, _span: &Span, normals: &[DVec3; 2], index: usize) -> DirectLight<i64> {
+    fn light_inputs(&self, span: &Span, normals: &[DVec3; 2], index: usize) -> DirectLight<i64> {
+        if self.direct.places.sends_ways(self.frame) {
+            let ways = self.ways(span);
+            // Without a normal there is no light, nor a highlight of L·V alone.
+            let is_dark = normals[0] == DVec3::ZERO;
+            let to_light = if is_dark { [DVec3::ZERO; 2] } else { ways.to_light(index) };
+            let way = ways.light_cosine(span.start_and_step(*normals), index, to_light);
+            return DirectLight { light: None, way: Some(way), light_dot_view: None };
+        }
         let l = self.frame.lights[index].direction;
         let l_dot_v = if normals[0] == DVec3::ZERO { 1.0 } else { l.dot(EYE) };
         DirectLight {
-            light: self.ends(normals, l),
-            light_dot_view: self.direct.formats.component.quantise(l_dot_v),
+            light: Some(self.ends(normals, l)),
+            way: None,
+            light_dot_view: Some(self.direct.formats.component.quantise(l_dot_v)),
         }
     }
 }
 
 impl DirectSetUp<'_> {
+    fn ways<'a>(&'a self, span: &'a Span) -> Ways<'a> {
+        Ways { frame: self.frame, span, accumulator: self.direct.formats.way_accumulator }
+    }
+
     /// N·`x` at both ends, each rounded, so that what lies between never leaves what they are.
     fn ends(&self, normals: &[DVec3; 2], x: DVec3) -> Ends<i64> {
         let component = self.direct.formats.component;

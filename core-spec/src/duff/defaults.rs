@@ -9,7 +9,8 @@ use crate::error::SpecError;
 use crate::method_set_up::SetUpSpan;
 use crate::narrowing::{LARGEST_ROOT_REACH, MOST_FRACTION_BITS, NarrowingPoint, SIGNED_UNIT, UNIT};
 use crate::power::Power;
-use crate::shading_method::{OptionDomain, ShadingMethod};
+use crate::shading_method::{OptionDomain, ShadingMethod, Viewpoint};
+use crate::ways::{self, Places};
 
 impl DuffSpec {
     /// Options and their values.
@@ -19,6 +20,7 @@ impl DuffSpec {
             values: &["\"blinn\"", "\"quotient\"", "\"eq33\"", "\"eq34\""],
         },
         Power::OPTION_DOMAIN,
+        Places::OPTION_DOMAIN,
     ];
 
     /// numerics N3b, for half an LSB with the dearest highlight, Blinn's with 4n: an error e of q
@@ -30,16 +32,24 @@ impl DuffSpec {
         let (s, j) = (span_bits(needs.longest_span), exponent_bits(needs).max(4));
         let small_q = small_q_bits(needs);
         let at_most = |fraction_bits: u32| fraction_bits.min(MOST_FRACTION_BITS);
-        let operand = at_most(13 + j + small_q);
+        let operand = Format::signed(1, at_most(13 + j + small_q));
         DuffSpec {
             specular: Highlight::Eq34,
             power: Power::for_needs(needs),
+            places: Places::for_needs(needs),
             formats: DuffFormats {
                 // In short spans the operand asks for more than the sums do.
-                linear_accumulator: Format::signed(1, (s + 13 + j + small_q / 2).max(operand)),
-                accumulator: Format::signed(3, (2 * s + 9 + j + small_q).max(operand)),
-                operand: Format::signed(1, operand),
-                root: Format::unsigned(root_reach(needs, operand), at_most(12 + j)),
+                linear_accumulator: Format::signed(
+                    1,
+                    (s + 13 + j + small_q / 2).max(operand.fraction_bits),
+                ),
+                accumulator: Format::signed(
+                    3,
+                    (2 * s + 9 + j + small_q).max(operand.fraction_bits),
+                ),
+                operand,
+                root: Format::unsigned(root_reach(needs, operand.fraction_bits), at_most(12 + j)),
+                way_root: ways::root_for_needs(needs, operand, at_most(12 + j)),
                 quotient: Format::signed(2, at_most(12 + j)),
                 cosine: Format::signed(1, at_most(11 + j)),
                 diffuse: Format::unsigned(1, 12),
@@ -58,6 +68,7 @@ impl ShadingMethod for DuffSpec {
             accumulator,
             operand,
             root,
+            way_root,
             quotient,
             cosine,
             diffuse,
@@ -70,7 +81,7 @@ impl ShadingMethod for DuffSpec {
         let differences =
             "start and differences of q = N.N and of the numerator, rounded by the host";
         // q is told from what s reaches to.
-        let finest_q = 2 * root.integer_bits;
+        let finest_q = (2 * root.integer_bits).max(ways::finest_square(self.places, way_root));
         let reach = Format::unsigned(root.integer_bits.clamp(1, LARGEST_ROOT_REACH), 0);
         let points = vec![
             accumulated("linear_accumulator", linear_accumulator, SIGNED_UNIT, linear, steps)
@@ -98,7 +109,8 @@ impl ShadingMethod for DuffSpec {
             )
             .no_finer_than(cosine),
         ];
-        points.into_iter().chain(self.power_unit().narrowing_point()).collect()
+        let points = points.into_iter().chain(ways::narrowing_point(self.places, way_root));
+        points.chain(self.power_unit().narrowing_point()).collect()
     }
 
     fn options(&self) -> Vec<(&'static str, String)> {
@@ -108,11 +120,16 @@ impl ShadingMethod for DuffSpec {
             Highlight::Eq33 => "R.L = 2(N.V)(p/q) - L.V",
             Highlight::Eq34 => "R.L = 2(N.V s)(p s) - L.V, s = 1/sqrt q",
         };
-        vec![("base of the highlight", base.to_owned()), self.power.option()]
+        let options = [("base of the highlight", base.to_owned()), self.power.option()];
+        options.into_iter().chain(self.places.option()).collect()
     }
 
     fn check_compatible(&self, needs: &Needs) -> Result<(), SpecError> {
         self.power.check_compatible(needs, "duff")
+    }
+
+    fn places_seen_from(&self) -> Viewpoint {
+        self.places.viewpoint()
     }
 
     fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {

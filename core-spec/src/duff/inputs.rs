@@ -6,14 +6,17 @@ use crate::inputs::{CoreInputs, MethodInputs, inputs};
 use crate::linear::Linear;
 use crate::parameters::CoreParameters;
 use crate::quadratic::{Quadratic, REFLECTED};
+use crate::ways::{EyeCosine, LightCosine};
 
 inputs! {
     /// Inputs that the lights of a span have in common.
     DuffSpan {
         /// q = N·N.
         denominator: group(Quadratic),
-        /// N·V; there with eq. 33 and 34 only.
+        /// N·V; there with eq. 33 and 34 only, and with ways to places.
         view: group_if_any(Linear),
+        /// The way to an eye at a place; there if places are seen from pixels.
+        eye: group_if_any(EyeCosine),
         /// The highlight's exponent, n or 4n with Blinn's half-way vector, or its logarithm.
         exponent: one,
     }
@@ -22,8 +25,10 @@ inputs! {
 inputs! {
     /// Inputs of one light.
     DuffLight {
-        /// p = N·L.
-        cosine: group(Linear),
+        /// p = N·L; there without ways to places.
+        cosine: group_if_any(Linear),
+        /// The way to the light; there if places are seen from pixels, and then all else is not.
+        way: group_if_any(LightCosine),
         /// N·H with H = (L + V)/|L + V|; there with Blinn's highlight only.
         halfway: group_if_any(Linear),
         /// 2(N·V)(N·L) - (L·V)(N·N); there with the quotient only.
@@ -45,14 +50,18 @@ impl MethodInputs for DuffSpec {
     fn span_inputs(&self, core: &CoreParameters) -> DuffSpan<CoreInput> {
         let f = &self.formats;
         let view = || Linear::inputs("N.V", "view", f.linear_accumulator);
+        let follows_ways = self.places.follows_ways(core);
+        let has_eye = follows_ways && core.local_eye;
+        let looks_at_the_eye = self.specular.looks_at_the_eye() || follows_ways;
         DuffSpan {
             denominator: Quadratic::squared_length_inputs("N.N", "denominator", f.accumulator),
-            view: self.specular.looks_at_the_eye().then(view),
+            view: (looks_at_the_eye && !has_eye).then(view),
+            eye: has_eye.then(|| EyeCosine::inputs(f.accumulator)),
             exponent: self.power_unit().exponent_input(core),
         }
     }
 
-    fn light_inputs(&self, _core: &CoreParameters, index: usize) -> DuffLight<CoreInput> {
+    fn light_inputs(&self, core: &CoreParameters, index: usize) -> DuffLight<CoreInput> {
         let f = &self.formats;
         let called = |input: &str| format!("light{index}_{input}");
         let halfway = || Linear::inputs("N.H", &called("halfway"), f.linear_accumulator);
@@ -62,11 +71,15 @@ impl MethodInputs for DuffSpec {
             let meaning = InputMeaning::light_dot_view();
             CoreInput::between(meaning, called("dot_view"), f.cosine, -1.0, 1.0)
         };
+        let follows_ways = self.places.follows_ways(core);
+        let of = |highlight: Highlight| self.specular == highlight && !follows_ways;
+        let cosine = || Linear::inputs("N.L", &called("cosine"), f.linear_accumulator);
         DuffLight {
-            cosine: Linear::inputs("N.L", &called("cosine"), f.linear_accumulator),
-            halfway: (self.specular == Highlight::Blinn).then(halfway),
-            numerator: (self.specular == Highlight::Quotient).then(numerator),
-            dot_view: self.specular.looks_at_the_eye().then(dot_view),
+            cosine: (!follows_ways).then(cosine),
+            way: follows_ways.then(|| LightCosine::inputs(core, index, f.accumulator)),
+            halfway: of(Highlight::Blinn).then(halfway),
+            numerator: of(Highlight::Quotient).then(numerator),
+            dot_view: (self.specular.looks_at_the_eye() && !follows_ways).then(dot_view),
         }
     }
 }

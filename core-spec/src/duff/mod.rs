@@ -12,6 +12,7 @@ use specula_datapath::Format;
 
 use crate::formats::formats;
 use crate::power::{Power, PowerUnit};
+use crate::ways::{Places, WayFormats};
 pub use inputs::{DuffInputs, DuffLight, DuffSpan};
 
 /// Where the base of the highlight comes from. N is the interpolated normal, s = 1/√(N·N).
@@ -36,6 +37,8 @@ pub struct DuffSpec {
     pub specular: Highlight,
     /// How the power of the highlight is taken.
     pub power: Power,
+    /// From where lights and the eye at places are seen.
+    pub places: Places,
     /// The narrowing points.
     pub formats: DuffFormats,
 }
@@ -55,6 +58,8 @@ formats! {
         /// s = 1/√q: `U<m>.f`. The integer bits m, 1 to 12, say how far it reaches: 2^m, for
         /// normals no shorter than 2^-m.
         pub root: Format,
+        /// 1/√(X·X), X to a place (with places seen from pixels only): `U<m>.f`, which reaches 2^m.
+        pub way_root: Format,
         /// p/q (with eq. 33 only), as large as s at most: `S2.f`.
         pub quotient: Format,
         /// Cosines: p s, N·V s and N·H s, clamped to -1..1, and L·V as the host rounds it: `S1.f`.
@@ -82,6 +87,13 @@ impl Highlight {
 }
 
 impl DuffSpec {
+    /// Where what comes of ways to places is rounded.
+    pub fn ways(&self) -> WayFormats {
+        let &DuffFormats { accumulator, operand, way_root: root, cosine, base, shape, .. } =
+            &self.formats;
+        WayFormats { accumulator, operand, root, cosine, base, shape }
+    }
+
     /// The power of the highlight.
     pub fn power_unit(&self) -> PowerUnit {
         PowerUnit {

@@ -12,6 +12,7 @@ use specula_datapath::Format;
 
 use crate::formats::formats;
 use crate::power::{Power, PowerUnit};
+use crate::ways::{Places, WayFormats};
 pub use inputs::{HybridInputs, HybridLight, HybridSpan};
 
 /// Options of the method.
@@ -20,6 +21,8 @@ pub use inputs::{HybridInputs, HybridLight, HybridSpan};
 pub struct HybridSpec {
     /// How the power of the highlight is taken.
     pub power: Power,
+    /// From where lights and the eye at places are seen.
+    pub places: Places,
     /// The narrowing points.
     pub formats: HybridFormats,
 }
@@ -38,6 +41,8 @@ formats! {
         pub accumulator: Format,
         /// p and q as they enter the divider: `S1.f`.
         pub operand: Format,
+        /// 1/√(X·X), X to a place (with places seen from pixels only): `U<m>.f`, which reaches 2^m.
+        pub way_root: Format,
         /// The base p/q, and each square of it: `U1.f`.
         pub base: Format,
         /// What tables make of the base (with power by tables only): `U1.f`.
@@ -46,6 +51,13 @@ formats! {
 }
 
 impl HybridSpec {
+    /// Where what comes of ways to places is rounded.
+    pub fn ways(&self) -> WayFormats {
+        let &HybridFormats { accumulator, operand, way_root: root, base, shape, .. } =
+            &self.formats;
+        WayFormats { accumulator, operand, root, cosine: operand, base, shape }
+    }
+
     /// The power of the highlight.
     pub fn power_unit(&self) -> PowerUnit {
         PowerUnit {

@@ -11,7 +11,8 @@ use crate::error::{SpecError, within};
 use crate::method_set_up::SetUpSpan;
 use crate::narrowing::{FEWEST_FRACTION_BITS, NarrowingPoint, SIGNED_UNIT, UNIT};
 use crate::parameters::FULL_SCALE;
-use crate::shading_method::{OptionDomain, ShadingMethod};
+use crate::shading_method::{OptionDomain, ShadingMethod, Viewpoint};
+use crate::ways::{self, Places};
 
 /// The fewest fraction bits on the way from one wrapped normal to the next.
 const FEWEST_TO_FOLLOW: u32 = 8;
@@ -40,6 +41,7 @@ impl LyonSpec {
         OptionDomain { key: "halfway", values: &["\"unit\"", "\"half\"", "\"half-g2\""] },
         OptionDomain { key: "shape", values: &["\"f-k\"", "\"root\""] },
         OptionDomain { key: "squarings", values: &["0", "1", "2", "3"] },
+        Places::OPTION_DOMAIN,
     ];
 
     /// numerics N5: the typical column up to 30 degrees and n = 256, else the
@@ -51,11 +53,12 @@ impl LyonSpec {
             normals: Normals::Linear,
             axis: WrapAxis::Bisector,
             normalisation: cheapest_normalisation(needs),
-            newton_steps: u32::from(!typical),
+            newton_steps: u32::from(!typical).max(newton_steps_for_ways(needs)),
             difference: Difference::HalfwayCrossNormal,
             halfway: Halfway::Unit,
             shape: ShapeDatapath::FK,
             squarings: 2,
+            places: Places::for_needs(needs),
             formats: LyonFormats {
                 // A step is off by half an ulp, and so is S times that at the end of the span: log2
                 // S + 1 more bits keep the weight within half an ulp of its own format.
@@ -67,6 +70,10 @@ impl LyonSpec {
                 wrap_ratio: Format::unsigned(1, fine + 2),
                 length_squared: Format::unsigned(1, fine),
                 gain: Format::unsigned(2, fine),
+                way_accumulator: ways::vector_accumulator_for_spans(
+                    span_bits(needs.longest_span),
+                    Format::signed(1, vector),
+                ),
                 diffuse: Format::unsigned(1, shape),
                 difference: Format::signed(2, vector),
                 // m is off by 2^-9 at most, and f by 2/m of that and less: 0.3 LSB where m is √2.
@@ -78,6 +85,27 @@ impl LyonSpec {
     }
 }
 
+/// From so short a way on three of Newton's steps do not suffice.
+const SHORTEST_FOR_NEWTON: f64 = 0.5;
+
+/// Newton steps behind g2 for the ways of a scene: a way of length r is r (1 + (y + y²)/2) long
+/// after g2, with y = 1 - r², and a step makes an error e of that 3e²/2.
+///
+/// ```text
+/// r    after g2   1 step     2 steps    3 steps
+/// 0.8  0.2 %      1e-5
+/// 0.7  3 %        1.3e-3     3e-6
+/// 0.5  17 %       4 %        2.5e-3     1e-5
+/// ```
+fn newton_steps_for_ways(needs: &Needs) -> u32 {
+    match needs.shortest_way {
+        _ if !needs.has_places() => 0,
+        r if r >= 0.8 => 1,
+        r if r >= 0.7 => 2,
+        _ => 3,
+    }
+}
+
 /// The cheapest normalisation that makes the shortest normal long enough, or g2, of which
 /// docs/numerics.md says when it takes a Newton step.
 ///
@@ -85,7 +113,11 @@ impl LyonSpec {
 /// full scale is 1/8 LSB too small. D = R - L, which takes it worst, is off by twice as much along
 /// itself, and f_2 moves with it by 0.67 √n: that is to be half an LSB at most.
 fn cheapest_normalisation(needs: &Needs) -> Normalisation {
-    let r = needs.shortest_normal;
+    let ways = if needs.has_places() { needs.shortest_way } else { 1.0 };
+    if ways < SHORTEST_FOR_NEWTON {
+        return Normalisation::Exact;
+    }
+    let r = needs.shortest_normal.min(ways);
     let steepest = 0.67 * f64::from(needs.largest_shininess).sqrt();
     let most = (1.0 / 2048.0_f64).min(0.5 / (2.0 * steepest * FULL_SCALE));
     match (1.0 - r, 1.0 - (3.0 * r - r * r * r) / 2.0) {
@@ -100,6 +132,12 @@ impl ShadingMethod for LyonSpec {
         let f = &self.formats;
         let point = NarrowingPoint::rounded;
         let mut points = self.normal_points(span_bits);
+        points.extend(ways::vector_accumulator_point(
+            self.places,
+            f.way_accumulator,
+            f.vector,
+            span_bits,
+        ));
         points.push(point("diffuse", f.diffuse, UNIT, "n.L, clamped at 0"));
         // D·D has twice the fraction bits, n another 13, and all of it must fit 63 bits.
         points.push(
@@ -124,12 +162,17 @@ impl ShadingMethod for LyonSpec {
         }
         options.push(("difference", self.difference_in_words()));
         options.push(("shape", self.shape_in_words()));
+        options.extend(self.places.option());
         options
     }
 
     fn check_options(&self) -> Result<(), SpecError> {
         within("newton_steps", self.newton_steps.into(), 0.0, 3.0)?;
         within("squarings", self.squarings.into(), 0.0, 3.0)
+    }
+
+    fn places_seen_from(&self) -> Viewpoint {
+        self.places.viewpoint()
     }
 
     fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {
@@ -143,7 +186,10 @@ impl LyonSpec {
         let f = &self.formats;
         let point = NarrowingPoint::rounded;
         if self.normals == Normals::Flat {
-            return vec![point("vector", f.vector, SIGNED_UNIT, "components of the normal n")];
+            let mut points =
+                vec![point("vector", f.vector, SIGNED_UNIT, "components of the normal n")];
+            points.extend(self.normalisation_points());
+            return points;
         }
         let accumulated = "step of the interpolation weight, rounded by the host";
         // What is carried from pixel to pixel stays near unit length only where rounding is fine.
@@ -188,11 +234,22 @@ impl LyonSpec {
                 "H.w and H.H, H = N' + w",
             ));
             points.push(point("wrap_ratio", f.wrap_ratio, UNIT, "v = H.w / H.H"));
-        } else if self.normalisation != Normalisation::None {
-            points.push(point("length_squared", f.length_squared, UNIT, "z = N'.N'"));
-            points.push(point("gain", f.gain, Format::unsigned(2, 0), "g, about 1/sqrt(z)"));
         }
+        points.extend(self.normalisation_points());
         points
+    }
+
+    /// Narrowing points of the normalisation, of normals and of ways to places.
+    fn normalisation_points(&self) -> Vec<NarrowingPoint> {
+        let (f, point) = (&self.formats, NarrowingPoint::rounded);
+        let serves = self.normals == Normals::Linear || self.places == Places::Pixel;
+        if self.normalisation == Normalisation::None || !serves {
+            return Vec::new();
+        }
+        let square = point("length_squared", f.length_squared, UNIT, "z = N'.N'");
+        let gain = point("gain", f.gain, Format::unsigned(2, 0), "g, about 1/sqrt(z)");
+        // What is carried from pixel to pixel has its own z.
+        if self.follows() { vec![gain] } else { vec![square, gain] }
     }
 
     /// Narrowing points on the way from D to f.

@@ -7,6 +7,7 @@ use crate::core_input::InputRole::Exponent;
 use crate::input_meaning::InputMeaning;
 use crate::inputs::{CoreInputs, MethodInputs, inputs};
 use crate::parameters::CoreParameters;
+use crate::ways::{VectorLight, VectorWay};
 
 inputs! {
     /// Inputs that the lights of a span have in common.
@@ -24,6 +25,8 @@ inputs! {
         /// Whether w is the wrapped normal before from the second pixel on, where normals are
         /// wrapped around that.
         wrap_follows: one_if_any,
+        /// The way to an eye at a place; there if places are seen from pixels.
+        eye: group_if_any(VectorWay),
         /// n, or m of the root shape.
         shininess: one,
     }
@@ -32,9 +35,11 @@ inputs! {
 inputs! {
     /// Inputs of one light.
     LyonLight {
-        /// L.
-        direction: vector,
-        /// The half-way vector, where D is made of one.
+        /// L; there without ways to places.
+        direction: vector_if_any,
+        /// The way to the light; there if places are seen from pixels.
+        way: group_if_any(VectorLight),
+        /// The half-way vector, where D is made of one, without ways to places.
         halfway: vector_if_any,
     }
 }
@@ -73,11 +78,13 @@ impl MethodInputs for LyonSpec {
             wrap_follows: self
                 .follows()
                 .then(|| number(follows_meaning(), "wrap_follows", Format::unsigned(1, 0))),
+            eye: (self.places.follows_ways(core) && core.local_eye)
+                .then(|| VectorWay::inputs("E", "eye", f.way_accumulator)),
             shininess: self.shininess_input(core),
         }
     }
 
-    fn light_inputs(&self, _core: &CoreParameters, index: usize) -> LyonLight<CoreInput> {
+    fn light_inputs(&self, core: &CoreParameters, index: usize) -> LyonLight<CoreInput> {
         let f = &self.formats;
         let name = format!("light{index}_halfway");
         let halfway = || {
@@ -91,10 +98,14 @@ impl MethodInputs for LyonSpec {
             }
         };
         let direction = format!("light{index}_direction");
+        let follows_ways = self.places.follows_ways(core);
+        let takes_halfway = self.difference.takes_halfway() || self.difference.takes_unit_halfway();
         LyonLight {
-            direction: CoreInput::vector(&InputMeaning::direction(), &direction, f.vector, 1.0),
-            halfway: (self.difference.takes_halfway() || self.difference.takes_unit_halfway())
-                .then(halfway),
+            direction: (!follows_ways)
+                .then(|| CoreInput::vector(&InputMeaning::direction(), &direction, f.vector, 1.0)),
+            way: follows_ways
+                .then(|| VectorLight::inputs(core, index, f.way_accumulator, f.vector)),
+            halfway: (takes_halfway && !follows_ways).then(halfway),
         }
     }
 }

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use specula_datapath::Format;
 
 use crate::formats::formats;
+use crate::ways::Places;
 
 pub use inputs::{LyonInputs, LyonLight, LyonSpan};
 pub use wrap::NormalWrap;
@@ -139,6 +140,8 @@ pub struct LyonSpec {
     pub shape: ShapeDatapath,
     /// k of the shape function f_k(x) = (1 - x/2^k)^(2^k), 0 to 3: how often the shape is squared.
     pub squarings: u32,
+    /// From where lights and the eye at places are seen.
+    pub places: Places,
     /// The narrowing points.
     pub formats: LyonFormats,
 }
@@ -164,6 +167,9 @@ formats! {
         pub length_squared: Format,
         /// g, and within a Newton step g² and 3 - z g²: `U2.f`.
         pub gain: Format,
+        /// Accumulators of the components of ways to places (with places seen from pixels only):
+        /// `S3.f`. The host rounds start and step into it.
+        pub way_accumulator: Format,
         /// N·L after clamping at 0: `U1.f`.
         pub diffuse: Format,
         /// The components of D, and before them 2 N·V, 2 N·L, H·N or h·N where D is made of it:
@@ -190,6 +196,11 @@ impl LyonFormats {
 pub const LOG2_LARGEST_GAIN: u32 = 4;
 
 impl LyonSpec {
+    /// The same with g2 alone for a normalisation.
+    pub fn with_g2(&self) -> LyonSpec {
+        LyonSpec { normalisation: Normalisation::G2, newton_steps: 0, ..self.clone() }
+    }
+
     /// h of the root shape, u_c = m|D_c| 2^-h: 1, 1, 2, 2 for k = 0 to 3, and one less where D goes
     /// with 4n.
     pub const fn root_shift(&self) -> u32 {

@@ -4,6 +4,7 @@ use specula_scene::frame::{DirectionalLight, EYE, Frame, Span};
 
 use super::{Halfway, LyonLight, LyonSpan, LyonSpec, NormalWrap, Normals, ShapeDatapath};
 use crate::method_set_up::MethodSetUp;
+use crate::ways::Ways;
 
 /// Sets up the spans of a frame.
 pub(super) struct LyonSetUp<'a> {
@@ -66,6 +67,14 @@ struct NormalInputs {
 }
 
 impl LyonSetUp<'_> {
+    fn sends_ways(&self) -> bool {
+        self.lyon.places.sends_ways(self.frame)
+    }
+
+    fn ways<'b>(&'b self, span: &'b Span) -> Ways<'b> {
+        Ways { frame: self.frame, span, accumulator: self.lyon.formats.way_accumulator }
+    }
+
     fn normals(&self, span: &Span) -> NormalInputs {
         let f = &self.lyon.formats;
         // The difference of what is sent, so that the end is met as it was quantised.
@@ -129,16 +138,21 @@ impl MethodSetUp for LyonSetUp<'_> {
             weight_step: normals.delta.map(|_| self.weight_step(span)),
             wrap_axis: normals.axis,
             wrap_follows: normals.follows,
+            eye: self.ways(span).vector_eye().filter(|_| self.sends_ways()),
             shininess: self.shininess(self.frame.material(span).shininess),
         }
     }
 
-    fn light_inputs(&self, _span: &Span, (): &(), index: usize) -> LyonLight<i64> {
+    fn light_inputs(&self, span: &Span, (): &(), index: usize) -> LyonLight<i64> {
+        if self.sends_ways() {
+            let way = self.ways(span).vector_light(index, self.lyon.formats.vector);
+            return LyonLight { direction: None, way: Some(way), halfway: None };
+        }
         let &Vectors { direction, halfway, .. } = &self.lights[index];
-        LyonLight { direction, halfway }
+        LyonLight { direction: Some(direction), way: None, halfway }
     }
 
     fn has_highlight(&self, index: usize) -> bool {
-        self.lights[index].has_highlight
+        self.sends_ways() || self.lights[index].has_highlight
     }
 }

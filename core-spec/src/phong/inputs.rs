@@ -1,5 +1,4 @@
 //! The inputs of a `phong` core.
-use specula_datapath::Format;
 use specula_scene::needs::LocalKind;
 
 use super::{Highlight, PhongSpec, Places};
@@ -8,6 +7,7 @@ use crate::core_input::InputRole::{self, Exponent, Light, Surface};
 use crate::input_meaning::InputMeaning;
 use crate::inputs::{CoreInputs, MethodInputs, inputs};
 use crate::parameters::CoreParameters;
+use crate::ways::spot_exponent;
 
 inputs! {
     /// A vector that is interpolated along the span.
@@ -79,7 +79,7 @@ impl MethodInputs for PhongSpec {
                 0.0,
                 1.0,
             ),
-            shininess: whole_number(exponent, "shininess", largest),
+            shininess: CoreInput::whole_number(exponent, "shininess", largest),
             eye: core.local_eye.then(|| self.way(&TO_EYE, "eye")),
         }
     }
@@ -93,10 +93,7 @@ impl MethodInputs for PhongSpec {
             CoreInput::vector(meaning, &name(part), f.vector, 1.0)
         };
         let is_spot = matches!(kind, Some(LocalKind::Spot { .. }));
-        let exponent = || {
-            let meaning = InputMeaning::light("the spot's exponent", "as the light has it");
-            whole_number(meaning, &name("exponent"), core.largest_spot_exponent())
-        };
+        let exponent = || spot_exponent(core, &name("exponent"));
         let axis =
             InputMeaning::light("the spot's axis", "the unit vector along which the light shines");
         let dot_view = InputMeaning::light_dot_view();
@@ -180,10 +177,4 @@ impl PhongSpec {
             }
         }
     }
-}
-
-/// A number from 1 to `largest`.
-fn whole_number(meaning: InputMeaning, name: &str, largest: u32) -> CoreInput {
-    let format = Format::unsigned(u32::BITS - largest.leading_zeros(), 0);
-    CoreInput::between(meaning, name, format, 1.0, f64::from(largest))
 }

@@ -11,7 +11,8 @@ use crate::narrowing::{
     MOST_ACCUMULATOR_FRACTION_BITS, MOST_FRACTION_BITS, NarrowingPoint, SIGNED_UNIT, UNIT,
 };
 use crate::power::Power;
-use crate::shading_method::{OptionDomain, ShadingMethod};
+use crate::shading_method::{OptionDomain, ShadingMethod, Viewpoint};
+use crate::ways::{self, Places};
 
 impl ReflectionSpec {
     /// Options and their values.
@@ -19,6 +20,7 @@ impl ReflectionSpec {
         OptionDomain { key: "bisector", values: &["\"span\"", "\"triangle\""] },
         OptionDomain { key: "specular", values: &["\"blinn\"", "\"hybrid\"", "\"eq34\""] },
         Power::OPTION_DOMAIN,
+        Places::OPTION_DOMAIN,
     ];
 
     /// numerics N3b, for half an LSB with the dearest highlight: as `duff`, and a bit more in
@@ -28,19 +30,22 @@ impl ReflectionSpec {
         let (s, j) = (span_bits(needs.longest_span), exponent_bits(needs).max(4));
         let small_q = small_q_bits(needs);
         let at_most = |fraction_bits: u32| fraction_bits.min(MOST_FRACTION_BITS);
-        let operand = at_most(14 + j + small_q);
+        let operand = Format::signed(1, at_most(14 + j + small_q));
         ReflectionSpec {
             bisector: Bisector::Span,
             specular: Highlight::Eq34,
             power: Power::for_needs(needs),
+            places: Places::for_needs(needs),
             formats: ReflectionFormats {
                 // In short spans the operand asks for more than the sums do.
                 accumulator: Format::signed(
                     3,
-                    (2 * s + 10 + j + small_q).clamp(operand, MOST_ACCUMULATOR_FRACTION_BITS),
+                    (2 * s + 10 + j + small_q)
+                        .clamp(operand.fraction_bits, MOST_ACCUMULATOR_FRACTION_BITS),
                 ),
-                operand: Format::signed(1, operand),
+                operand,
                 reciprocal: Format::unsigned(3, at_most(12 + j)),
+                way_root: ways::root_for_needs(needs, operand, at_most(12 + j)),
                 cosine: Format::signed(1, at_most(11 + j)),
                 diffuse: Format::unsigned(1, 12),
                 base: Format::unsigned(1, at_most(11 + j)),
@@ -57,6 +62,7 @@ impl ShadingMethod for ReflectionSpec {
             accumulator,
             operand,
             reciprocal,
+            way_root,
             cosine,
             diffuse,
             base,
@@ -73,7 +79,8 @@ impl ShadingMethod for ReflectionSpec {
                 differences,
             ),
             point("operand", operand, SIGNED_UNIT, "q = H.H and the numerators")
-                .no_finer_than(accumulator),
+                .no_finer_than(accumulator)
+                .with_at_least(ways::finest_square(self.places, way_root)),
             point("reciprocal", reciprocal, Format::unsigned(3, 0), "1/q"),
             point("cosine", cosine, SIGNED_UNIT, "N'.L, N'.V and N'.H, clamped to -1..1, and L.V"),
             point("diffuse", diffuse, UNIT, "N'.L, clamped at 0").no_finer_than(cosine),
@@ -85,7 +92,8 @@ impl ShadingMethod for ReflectionSpec {
             )
             .no_finer_than(cosine),
         ];
-        points.into_iter().chain(self.power_unit().narrowing_point()).collect()
+        let points = points.into_iter().chain(ways::narrowing_point(self.places, way_root));
+        points.chain(self.power_unit().narrowing_point()).collect()
     }
 
     fn options(&self) -> Vec<(&'static str, String)> {
@@ -98,15 +106,20 @@ impl ShadingMethod for ReflectionSpec {
             Highlight::Hybrid => "R.L = (2(N.V)(N.L) - (L.V)(N.N))/(N.N)",
             Highlight::Eq34 => "R.L = 2(N'.V)(N'.L) - L.V",
         };
-        vec![
+        let options = [
             ("fixed normal", n.to_owned()),
             ("base of the highlight", base.to_owned()),
             self.power.option(),
-        ]
+        ];
+        options.into_iter().chain(self.places.option()).collect()
     }
 
     fn check_compatible(&self, needs: &Needs) -> Result<(), SpecError> {
         self.power.check_compatible(needs, "reflection")
+    }
+
+    fn places_seen_from(&self) -> Viewpoint {
+        self.places.viewpoint()
     }
 
     fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {

@@ -16,7 +16,8 @@ use specula_scene::frame::{Frame, Span};
 
 use crate::formats::formats;
 use crate::power::{Power, PowerUnit};
-pub use inputs::{ReflectionInputs, ReflectionLight, ReflectionSpan};
+use crate::ways::{Places, WayFormats};
+pub use inputs::{ReflectedEye, ReflectedLight, ReflectionInputs, ReflectionLight, ReflectionSpan};
 
 /// No longer than this, a sum of two unit vectors has no direction that is worth having (extremes
 /// row 9).
@@ -55,6 +56,8 @@ pub struct ReflectionSpec {
     pub specular: Highlight,
     /// How the power of the highlight is taken.
     pub power: Power,
+    /// From where lights and the eye at places are seen.
+    pub places: Places,
     /// The narrowing points.
     pub formats: ReflectionFormats,
 }
@@ -71,6 +74,8 @@ formats! {
         pub operand: Format,
         /// 1/q: `U3.f`.
         pub reciprocal: Format,
+        /// 1/√(X·X), X to a place (with places seen from pixels only): `U<m>.f`, which reaches 2^m.
+        pub way_root: Format,
         /// N'·L, N'·V and N'·H, clamped to -1..1, and L·V as the host rounds it: `S1.f`.
         pub cosine: Format,
         /// Diffuse intensity: `U1.f`.
@@ -110,6 +115,14 @@ impl Bisector {
 }
 
 impl ReflectionSpec {
+    /// Where what comes of ways to places is rounded.
+    pub fn ways(&self) -> WayFormats {
+        let &ReflectionFormats {
+            accumulator, operand, way_root: root, cosine, base, shape, ..
+        } = &self.formats;
+        WayFormats { accumulator, operand, root, cosine, base, shape }
+    }
+
     /// The power of the highlight.
     pub fn power_unit(&self) -> PowerUnit {
         PowerUnit {

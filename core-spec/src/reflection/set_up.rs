@@ -2,9 +2,12 @@
 use glam::DVec3;
 use specula_scene::frame::{EYE, Frame, Span, halfway};
 
-use super::{Highlight, ReflectionLight, ReflectionSpan, ReflectionSpec};
+use super::{
+    Highlight, ReflectedEye, ReflectedLight, ReflectionLight, ReflectionSpan, ReflectionSpec,
+};
 use crate::method_set_up::MethodSetUp;
 use crate::quadratic::Quadratic;
+use crate::ways::Ways;
 
 /// Sets up the spans of a frame.
 pub(super) struct ReflectionSetUp<'a> {
@@ -54,11 +57,25 @@ impl MethodSetUp for ReflectionSetUp<'_> {
     fn span_inputs(&self, span: &Span, h: &Halfway) -> ReflectionSpan<i64> {
         let (spec, accumulator) = (self.reflection, self.reflection.formats.accumulator);
         let [m, k] = h.normal;
+        let (sends_ways, ways) = (spec.places.sends_ways(self.frame), self.ways(span));
+        let has_eye = sends_ways && self.frame.eye.is_some();
+        let is_hybrid = spec.specular == Highlight::Hybrid;
+        let looks_at_the_eye = spec.specular == Highlight::Eq34 || (sends_ways && !is_hybrid);
         ReflectionSpan {
             denominator: Quadratic::squared_length(span, h.m, h.k).quantised(accumulator),
-            view: spec.only_with(Highlight::Eq34, || {
-                h.cosine_numerator(span, EYE).quantised(accumulator)
+            h_dot_n: sends_ways.then(|| ways.linear([h.m, h.k], h.n)),
+            view: (looks_at_the_eye && !has_eye)
+                .then(|| h.cosine_numerator(span, EYE).quantised(accumulator)),
+            eye: has_eye.then(|| {
+                let way = ways.to_eye();
+                ReflectedEye {
+                    bisecting: ways.product([h.m, h.k], way),
+                    fixed: ways.linear(way, h.n),
+                    normal: is_hybrid.then(|| ways.product(h.normal, way)),
+                    squared: ways.product(way, way),
+                }
             }),
+            normal_view: (sends_ways && is_hybrid && !has_eye).then(|| ways.linear(h.normal, EYE)),
             normal_squared: spec.only_with(Highlight::Hybrid, || {
                 Quadratic::squared_length(span, m, k).quantised(accumulator)
             }),
@@ -68,16 +85,37 @@ impl MethodSetUp for ReflectionSetUp<'_> {
 
     fn light_inputs(&self, span: &Span, h: &Halfway, index: usize) -> ReflectionLight<i64> {
         let (spec, f) = (self.reflection, &self.reflection.formats);
+        if spec.places.sends_ways(self.frame) {
+            return ReflectionLight::of_way(self.way(span, h, index));
+        }
         let l = self.frame.lights[index].direction;
         let quantised = |quadratic: Quadratic<f64>| quadratic.quantised(f.accumulator);
         ReflectionLight {
-            cosine: quantised(h.cosine_numerator(span, l)),
+            cosine: Some(quantised(h.cosine_numerator(span, l))),
+            way: None,
             halfway: spec
                 .only_with(Highlight::Blinn, || quantised(h.cosine_numerator(span, halfway(l)))),
             numerator: spec.only_with(Highlight::Hybrid, || {
                 quantised(Quadratic::reflected(span, h.normal, EYE, l))
             }),
             dot_view: spec.only_with(Highlight::Eq34, || f.cosine.quantise(l.dot(EYE))),
+        }
+    }
+}
+
+impl ReflectionSetUp<'_> {
+    fn ways<'a>(&'a self, span: &'a Span) -> Ways<'a> {
+        Ways { frame: self.frame, span, accumulator: self.reflection.formats.accumulator }
+    }
+
+    fn way(&self, span: &Span, h: &Halfway, index: usize) -> ReflectedLight<i64> {
+        let ways = self.ways(span);
+        let way = ways.to_light(index);
+        ReflectedLight {
+            bisecting: ways.product([h.m, h.k], way),
+            fixed: ways.linear(way, h.n),
+            normal: self.reflection.only_with(Highlight::Hybrid, || ways.product(h.normal, way)),
+            way: ways.light(index, way),
         }
     }
 }

@@ -9,7 +9,8 @@ use crate::error::SpecError;
 use crate::method_set_up::SetUpSpan;
 use crate::narrowing::{MOST_FRACTION_BITS, NarrowingPoint, SIGNED_UNIT, UNIT};
 use crate::power::Power;
-use crate::shading_method::{OptionDomain, ShadingMethod};
+use crate::shading_method::{OptionDomain, ShadingMethod, Viewpoint};
+use crate::ways::{self, Places};
 
 /// The most fraction bits of the state and of what turns it: their product has two bits more on the
 /// left and must fit 63.
@@ -20,6 +21,7 @@ impl SlerpSpec {
     /// Options and their values.
     pub const OPTION_DOMAINS: &'static [OptionDomain] = &[
         Power::OPTION_DOMAIN,
+        Places::OPTION_DOMAIN,
         OptionDomain { key: "form", values: &["\"scalar\"", "\"vector\""] },
         OptionDomain { key: "frame", values: &["\"orthonormal\"", "\"ends\""] },
     ];
@@ -32,10 +34,12 @@ impl SlerpSpec {
         let (s, j) = (span_bits(needs.longest_span), exponent_bits(needs));
         let state = (s + 9 + j.max(4).div_ceil(2)).min(MOST_STATE_BITS);
         let scalar = (11 + j.max(4)).min(MOST_FRACTION_BITS);
+        let cosine = Format::signed(1, scalar);
         SlerpSpec {
             form: Form::Scalar,
             frame: Basis::Orthonormal,
             power: Power::for_needs(needs),
+            places: Places::for_needs(needs),
             formats: SlerpFormats {
                 turn: Format::signed(1, state + 2),
                 state: Format::signed(1, state),
@@ -44,7 +48,9 @@ impl SlerpSpec {
                 weight: Format::signed(1, (12 + j.max(4).div_ceil(2)).min(state)),
                 vector: Format::signed(1, (scalar + 1).min(MOST_FRACTION_BITS)),
                 component: Format::signed(1, scalar),
-                cosine: Format::signed(1, scalar),
+                cosine,
+                way_accumulator: ways::accumulator_for_spans(s, cosine),
+                way_root: ways::root_for_needs(needs, cosine, scalar),
                 diffuse: Format::unsigned(1, 12),
                 base: Format::unsigned(1, 9 + j.max(4)),
                 shape: Format::unsigned(1, 12),
@@ -64,6 +70,8 @@ impl ShadingMethod for SlerpSpec {
             vector,
             component,
             cosine,
+            way_accumulator,
+            way_root,
             diffuse,
             base,
             shape: _,
@@ -117,7 +125,8 @@ impl ShadingMethod for SlerpSpec {
         }
         points.extend([
             point("component", component, SIGNED_UNIT, scalars),
-            point("cosine", cosine, SIGNED_UNIT, cosines),
+            point("cosine", cosine, SIGNED_UNIT, cosines)
+                .with_at_least(ways::finest_square(self.places, way_root)),
             point("diffuse", diffuse, UNIT, "J, clamped to 0..1").no_finer_than(cosine),
             point(
                 "base",
@@ -126,6 +135,8 @@ impl ShadingMethod for SlerpSpec {
                 "2 J K - L.V, clamped to 0..1, and each square of it where power = squaring",
             ),
         ]);
+        points.extend(ways::accumulator_point(self.places, way_accumulator, cosine, span_bits));
+        points.extend(ways::narrowing_point(self.places, way_root));
         points.extend(self.power_unit().narrowing_point());
         points
     }
@@ -138,11 +149,16 @@ impl ShadingMethod for SlerpSpec {
                 "the normal itself, between the ends; linear below 10 degrees"
             }
         };
-        vec![("what turns", words.to_owned()), self.power.option()]
+        let options = [("what turns", words.to_owned()), self.power.option()];
+        options.into_iter().chain(self.places.option()).collect()
     }
 
     fn check_compatible(&self, needs: &Needs) -> Result<(), SpecError> {
         self.power.check_compatible(needs, "slerp")
+    }
+
+    fn places_seen_from(&self) -> Viewpoint {
+        self.places.viewpoint()
     }
 
     fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {

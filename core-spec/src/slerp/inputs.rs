@@ -5,7 +5,10 @@ use super::{Form, LARGEST_WEIGHT, SlerpSpec};
 use crate::core_input::CoreInput;
 use crate::input_meaning::InputMeaning;
 use crate::inputs::{CoreInputs, MethodInputs, inputs};
+use crate::linear::Linear;
 use crate::parameters::CoreParameters;
+use crate::quadratic::Quadratic;
+use crate::ways::{LightWay, VectorWay};
 
 inputs! {
     /// Inputs that the lights of a span have in common.
@@ -23,8 +26,11 @@ inputs! {
         /// The cosine that goes with the weight of the start, at the first pixel, between the ends
         /// themselves.
         falling_cosine: one_if_any,
-        /// N·V, of scalars.
+        /// N·V, of scalars; there for an eye at infinity, or if places are seen from the middle of
+        /// spans.
         view: group_if_any(OnArc),
+        /// The way to an eye at a place; there if places are seen from pixels.
+        eye: group_if_any(EyeAlongArc),
         /// What a normal is put together from.
         normal: group_if_any(Axes),
         /// n, or its logarithm.
@@ -35,12 +41,46 @@ inputs! {
 inputs! {
     /// Inputs of one light.
     SlerpLight {
-        /// N·L, of scalars.
+        /// N·L, of scalars; there without ways to places.
         light: group_if_any(OnArc),
-        /// L, where there is a normal.
+        /// L, where there is a normal; there without ways to places.
         direction: vector_if_any,
-        /// L·V; 1 where the span has no normal, which leaves no highlight.
-        light_dot_view: one,
+        /// The way to the light; there if places are seen from pixels.
+        way: group_if_any(LightAlongArc),
+        /// L·V, without ways to places; 1 where the span has no normal, which leaves no highlight.
+        light_dot_view: one_if_any,
+    }
+}
+
+inputs! {
+    /// A way X by its scalars, or by its components where there is a normal.
+    WayAlongArc {
+        /// A·X, of scalars.
+        start: group_if_any(Linear),
+        /// T·X, of scalars.
+        across: group_if_any(Linear),
+        /// X itself, where there is a normal.
+        vector: group_if_any(VectorWay),
+    }
+}
+
+inputs! {
+    /// The way to an eye at a place.
+    EyeAlongArc {
+        /// What the normal makes of it.
+        normal: group(WayAlongArc),
+        /// E·E.
+        squared: group(Quadratic),
+    }
+}
+
+inputs! {
+    /// The way to a light.
+    LightAlongArc {
+        /// What the normal makes of it.
+        normal: group(WayAlongArc),
+        /// The rest.
+        way: group(LightWay),
     }
 }
 
@@ -119,6 +159,7 @@ impl MethodInputs for SlerpSpec {
                 1.0,
             )
         };
+        let has_eye = self.places.follows_ways(core) && core.local_eye;
         SlerpSpan {
             turn_cosine: number(TURN_COSINE, "turn_cosine", turn, -1.0, 1.0),
             turn_sine: number(TURN_SINE, "turn_sine", turn, 0.0, 1.0),
@@ -128,7 +169,15 @@ impl MethodInputs for SlerpSpec {
             falling_cosine: ends.then(|| {
                 number(FALLING_COSINE, "falling_cosine", state, -LARGEST_WEIGHT, LARGEST_WEIGHT)
             }),
-            view: self.on_arc("V", "view"),
+            view: self.on_arc("V", "view").filter(|_| !has_eye),
+            eye: has_eye.then(|| EyeAlongArc {
+                normal: self.way_along_arc("E", "eye"),
+                squared: Quadratic::squared_length_inputs(
+                    "E.E",
+                    "eye_squared",
+                    self.formats.way_accumulator,
+                ),
+            }),
             normal: (self.form == Form::Vector).then(|| Axes {
                 start: vector(START, "normal_start"),
                 other: if ends {
@@ -141,19 +190,34 @@ impl MethodInputs for SlerpSpec {
         }
     }
 
-    fn light_inputs(&self, _core: &CoreParameters, index: usize) -> SlerpLight<CoreInput> {
+    fn light_inputs(&self, core: &CoreParameters, index: usize) -> SlerpLight<CoreInput> {
         let name = |part: &str| format!("light{index}_{part}");
+        if self.places.follows_ways(core) {
+            return SlerpLight::of_way(LightAlongArc {
+                normal: self.way_along_arc("X", &name("way")),
+                way: LightWay::inputs(core, index, self.formats.way_accumulator),
+            });
+        }
         SlerpLight {
             light: self.on_arc("L", &format!("light{index}")),
+            way: None,
             direction: (self.form == Form::Vector).then(|| {
                 let meaning = InputMeaning::direction();
                 CoreInput::vector(&meaning, &name("direction"), self.formats.vector, 1.0)
             }),
             // Spans without a normal have another one.
-            light_dot_view: self
-                .component(InputMeaning::light_dot_view_of_spans(), &name("dot_view"))
-                .held_for_a_span(),
+            light_dot_view: Some(
+                self.component(InputMeaning::light_dot_view_of_spans(), &name("dot_view"))
+                    .held_for_a_span(),
+            ),
         }
+    }
+}
+
+impl<T> SlerpLight<T> {
+    /// A light of which nothing but the way is sent.
+    pub(super) fn of_way(way: LightAlongArc<T>) -> SlerpLight<T> {
+        SlerpLight { light: None, direction: None, way: Some(way), light_dot_view: None }
     }
 }
 
@@ -168,6 +232,21 @@ impl SlerpSpec {
             start: component("A", START.1, "start"),
             across: component("T", ACROSS.1, "across"),
         })
+    }
+
+    /// The inputs of a way `x`.
+    fn way_along_arc(&self, x: &str, name: &str) -> WayAlongArc<CoreInput> {
+        let format = self.formats.way_accumulator;
+        let scalar = |axis: &str, end: &str| {
+            let scalar =
+                || Linear::inputs(&format!("{axis}.{x}"), &format!("{name}_{end}"), format);
+            (self.form == Form::Scalar).then(scalar)
+        };
+        WayAlongArc {
+            start: scalar("A", "start"),
+            across: scalar("T", "across"),
+            vector: (self.form == Form::Vector).then(|| VectorWay::inputs(x, name, format)),
+        }
     }
 
     fn component(&self, meaning: InputMeaning, name: &str) -> CoreInput {

@@ -15,8 +15,11 @@ use specula_datapath::Format;
 
 use crate::formats::formats;
 use crate::power::{Power, PowerUnit};
+use crate::ways::{Places, WayFormats};
 pub use arc_rotation::{ArcRotation, LARGEST_WEIGHT};
-pub use inputs::{Axes, OnArc, SlerpInputs, SlerpLight, SlerpSpan};
+pub use inputs::{
+    Axes, EyeAlongArc, LightAlongArc, OnArc, SlerpInputs, SlerpLight, SlerpSpan, WayAlongArc,
+};
 
 /// What is put together from the weights of an arc.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -50,6 +53,8 @@ pub struct SlerpSpec {
     pub frame: Basis,
     /// How the power of the highlight is taken.
     pub power: Power,
+    /// From where lights and the eye at places are seen.
+    pub places: Places,
     /// The narrowing points.
     pub formats: SlerpFormats,
 }
@@ -74,6 +79,11 @@ formats! {
         pub component: Format,
         /// J, K, the correction of K's length, and K after it: `S1.f`.
         pub cosine: Format,
+        /// Accumulators of what comes of ways to places, and their differences (with places seen
+        /// from pixels only): `S3.f`. The host rounds start values and differences into it.
+        pub way_accumulator: Format,
+        /// 1/√(X·X), X to a place (with places seen from pixels only): `U<m>.f`, which reaches 2^m.
+        pub way_root: Format,
         /// J, clamped: `U1.f`.
         pub diffuse: Format,
         /// The base of the highlight, and each square of it: `U1.f`.
@@ -84,6 +94,14 @@ formats! {
 }
 
 impl SlerpSpec {
+    /// Where what comes of ways to places is rounded.
+    pub fn ways(&self) -> WayFormats {
+        let &SlerpFormats {
+            way_accumulator: accumulator, way_root: root, cosine, base, shape, ..
+        } = &self.formats;
+        WayFormats { accumulator, operand: cosine, root, cosine, base, shape }
+    }
+
     /// The power of the highlight.
     pub fn power_unit(&self) -> PowerUnit {
         PowerUnit {

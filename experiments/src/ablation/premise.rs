@@ -84,7 +84,7 @@ pub(super) const PREMISES: [Premise; 11] = [
         need: "distance to places",
         safe: "no span of this frame comes nearer to one",
         relax: |needs| {
-            if !needs.directions_are_constant() {
+            if needs.has_places() {
                 (needs.shortest_way, needs.shortest_unit_way) = (0.0, 0.0);
             }
         },

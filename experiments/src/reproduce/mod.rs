@@ -3,10 +3,12 @@
 mod claim;
 pub mod figure;
 pub mod hast;
-mod lecture;
+pub mod lecture;
 mod lyon;
 mod maximum;
+mod painted;
 mod paper;
+pub mod project;
 pub mod reshetov;
 mod span_core;
 
@@ -20,7 +22,7 @@ impl Paper {
         match self {
             Paper::Lyon => lyon::claims(),
             Paper::Hast => hast::claims(),
-            Paper::Lecture => lecture::CLAIMS.iter().collect(),
+            Paper::Lecture => lecture::claims(),
             Paper::Reshetov => reshetov::claims(),
         }
     }
@@ -34,7 +36,8 @@ impl Paper {
     pub fn figures(self) -> Vec<Figure> {
         match self {
             Paper::Lyon => lyon::figures(),
-            Paper::Hast | Paper::Lecture => vec![],
+            Paper::Hast => vec![],
+            Paper::Lecture => lecture::figures(),
             Paper::Reshetov => reshetov::figures(),
         }
     }

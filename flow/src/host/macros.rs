@@ -6,12 +6,14 @@
 ///
 /// - `linear NAME = m, k, u`: (m + k i).u;
 /// - `squared NAME = m, k`: the squared length of m + k i;
+/// - `product NAME = m, k, x, y`: (m + k i).(x + y i);
 /// - `reflected NAME = m, k, n, l`: 2(x.n)(x.l) - (n.l)(x.x) with x = m + k i.
 pub fn expanded(word: &str, name: &str, arguments: &str) -> Option<String> {
     let mut arguments = arguments.split(", ");
     let (template, names): (&str, &[&str]) = match word {
         "linear" => (LINEAR, &["M", "K", "U"]),
         "squared" => (SQUARED, &["M", "K"]),
+        "product" => (PRODUCT, &["M", "K", "X", "Y"]),
         "reflected" => (REFLECTED, &["M", "K", "N", "L"]),
         _ => return None,
     };
@@ -32,6 +34,14 @@ const SQUARED: &str = "\
 real {NAME}_start = @dot({M}, {M})
 real {NAME}_b = 2 * @dot({K}, {M})
 real {NAME}_a = @dot({K}, {K})
+real {NAME}_first_difference = @from(1, steps, {NAME}_a + {NAME}_b)
+real {NAME}_second_difference = @from(2, steps, 2 * {NAME}_a)
+";
+
+const PRODUCT: &str = "\
+real {NAME}_start = @dot({M}, {X})
+real {NAME}_b = @dot({M}, {Y}) + @dot({K}, {X})
+real {NAME}_a = @dot({K}, {Y})
 real {NAME}_first_difference = @from(1, steps, {NAME}_a + {NAME}_b)
 real {NAME}_second_difference = @from(2, steps, 2 * {NAME}_a)
 ";

@@ -21,18 +21,35 @@ pub fn program(spec: &CoreSpec) -> Program {
     let is_turned = parameters.local_eye && of_spans;
     values.flag("turned", is_turned);
     values.flag("local_eye", parameters.local_eye);
+    let follows_ways = follows_ways(spec);
+    values.flag("ways", follows_ways);
+    let lit_anyway = matches!(spec.method, MethodSpec::Direct(_) | MethodSpec::Slerp(_));
+    values.flag("dark_without_normal", lit_anyway);
     let (of_span, of_light) = text.split_once("[light]\n").unwrap_or((text, ""));
     let mut whole = values.fill(include_str!("templates/methods/common.txt"));
+    if follows_ways {
+        whole.push_str(&values.fill(include_str!("templates/methods/ways.txt")));
+    }
     whole.push_str(&values.fill(of_span));
     for index in 0..parameters.lights {
         values.set("I", index);
         let local = index.checked_sub(parameters.lights - parameters.local_lights.len());
         light(local.map(|local| parameters.local_lights[local]), is_turned, of_spans, &mut values);
         whole.push_str(&values.fill(include_str!("templates/methods/light.txt")));
+        if follows_ways {
+            whole.push_str(&values.fill(include_str!("templates/methods/light_way.txt")));
+        }
         whole.push_str(&values.fill(of_light));
     }
     // They are the program's own texts, and tests read all of them.
     Program::parse(&whole).expect("templates are programs")
+}
+
+/// Whether packets hold ways to places. `phong` has directions, and `gouraud` intensities.
+fn follows_ways(spec: &CoreSpec) -> bool {
+    spec.parameters.has_places()
+        && spec.places_seen_from() == Viewpoint::Pixel
+        && !matches!(spec.method, MethodSpec::Phong(_))
 }
 
 /// What is filled in for a light, which may be at a place.
@@ -61,7 +78,7 @@ fn method(spec: &CoreSpec) -> (&'static str, Values) {
         MethodSpec::Lyon(lyon) => {
             let takes_unit = lyon.difference.takes_unit_halfway();
             let is_unit = takes_unit && lyon.halfway == Halfway::Unit;
-            values.flag("dark_opposite", is_unit);
+            values.flag("dark_opposite", is_unit && !follows_ways(spec));
             values.flag("unit_halfway", is_unit);
             values.flag("plain_half", takes_unit && lyon.halfway == Halfway::Half);
             values.flag("half_g2", takes_unit && lyon.halfway == Halfway::HalfG2);
@@ -83,7 +100,8 @@ fn method(spec: &CoreSpec) -> (&'static str, Values) {
         MethodSpec::Hybrid(hybrid) => {
             power(&mut values, hybrid.power_unit());
             let parameters = &spec.parameters;
-            values.flag("places", parameters.local_eye || !parameters.local_lights.is_empty());
+            let of_spans = spec.places_seen_from() == Viewpoint::Span;
+            values.flag("places", parameters.has_places() && of_spans);
             include_str!("templates/methods/hybrid.txt")
         }
         MethodSpec::Duff(duff) => {
@@ -103,7 +121,7 @@ fn method(spec: &CoreSpec) -> (&'static str, Values) {
         MethodSpec::Consistent(consistent) => {
             power(&mut values, consistent.power_unit());
             let is_blinn = consistent.highlight == consistent::Highlight::Blinn;
-            values.flag("dark_opposite", is_blinn);
+            values.flag("dark_opposite", is_blinn && !follows_ways(spec));
             values.set("HALF_A_STEP", 0.5 * consistent.formats.angle_accumulator.ulp());
             include_str!("templates/methods/consistent.txt")
         }

@@ -4,6 +4,7 @@ use specula_spec::consistent::{
     ConsistentFormats, ConsistentInputs, ConsistentLight, ConsistentSpan, ConsistentSpec, Curve,
     Diffuse, Highlight, LARGEST_ANGLE,
 };
+use specula_spec::ways::{VectorLight, VectorWay};
 use specula_spec::{CoreParameters, Format, Linear};
 
 use super::error::PacketError;
@@ -15,6 +16,7 @@ use super::raised::Raised;
 use super::root::reciprocal_square_root;
 use super::span_extent::SpanExtent;
 use super::vector::{Vector, dot};
+use super::vector_ways::VectorWays;
 
 /// V = (0, 0, 1).
 const EYE: Vector = [Wide::ZERO, Wide::ZERO, Wide::ONE];
@@ -31,6 +33,7 @@ pub(super) struct Consistent {
     diffuse: Diffuse,
     highlight: Highlight,
     power: Raised,
+    ways: VectorWays,
     formats: ConsistentFormats,
 }
 
@@ -41,6 +44,12 @@ impl Consistent {
             diffuse: consistent.diffuse,
             highlight: consistent.highlight,
             power: Raised::new(core, consistent.power_unit()),
+            ways: VectorWays::new(
+                core,
+                consistent.formats.way_accumulator,
+                consistent.formats.vector,
+                [consistent.formats.base, consistent.formats.shape],
+            ),
             formats: consistent.formats.clone(),
         }
     }
@@ -65,6 +74,9 @@ pub(super) struct Pixel {
     mirror: Mirror,
     /// Of the eye.
     reflection: Reflection,
+    i: u32,
+    /// V; none for an eye at the very pixel.
+    view: Option<Vector>,
     exponent: Wide,
 }
 
@@ -91,15 +103,20 @@ impl Method for Consistent {
             f.vector,
         )?;
         for (i, light) in inputs.lights.iter().map(|inputs| &inputs.light).enumerate() {
+            let direction = light.direction.unwrap_or_default();
             packet::check_length(
                 format_args!("light{i}_direction"),
-                &light.direction,
+                &direction,
                 Wide::ONE,
                 f.vector,
             )?;
+            let way = light.way.as_ref();
+            way.map_or(Ok(()), |way| self.ways.check_light(i, way, extent))?;
             let halfway = light.halfway.unwrap_or_default();
             packet::check_length(format_args!("light{i}_halfway"), &halfway, Wide::ONE, f.vector)?;
         }
+        let eye = inputs.span.eye.as_ref();
+        eye.map_or(Ok(()), |eye| self.ways.check_way(format_args!("eye"), eye, extent))?;
         extent.weight(inputs.span.weight_step, f.weight_accumulator)?;
         let angle = Linear { start: inputs.span.angle_start, step: inputs.span.angle_step };
         extent.rounded_up(
@@ -119,8 +136,12 @@ impl Method for Consistent {
     ) -> Pixel {
         let (normal, has_direction) = self.normal(span, i, observer);
         let mirror = Mirror { normal, q: self.contraction(span, i, observer), has_direction };
-        let reflection = self.reflection("", &mirror, &EYE, observer);
-        Pixel { mirror, reflection, exponent: span.exponent }
+        let view = match &span.eye {
+            Some(eye) => self.direction("eye", eye, i, observer),
+            None => Some(EYE),
+        };
+        let reflection = self.reflection("", &mirror, &view.unwrap_or_default(), observer);
+        Pixel { mirror, reflection, i, view, exponent: span.exponent }
     }
 
     fn light(
@@ -129,13 +150,80 @@ impl Method for Consistent {
         light: &ConsistentLight<Wide>,
         observer: &mut impl Observer,
     ) -> Intensities<Wide> {
-        let diffuse = self.diffuse(&pixel.mirror, light, observer);
-        let base = self.base(&pixel.mirror, &pixel.reflection, light, observer);
+        if let Some(way) = &light.way {
+            return self.arriving(pixel, way, observer);
+        }
+        // An input that is not there is 0.
+        let direction = light.direction.unwrap_or_default();
+        let diffuse = self.diffuse(&pixel.mirror, &direction, observer);
+        let base = self.base(pixel, &direction, light.halfway.as_ref(), observer);
         Intensities { diffuse, specular: self.power.raise(observer, base, pixel.exponent) }
     }
 }
 
 impl Consistent {
+    /// The intensities of a light whose way is followed.
+    fn arriving(
+        &self,
+        pixel: &Pixel,
+        light: &VectorLight<Wide>,
+        observer: &mut impl Observer,
+    ) -> Intensities<Wide> {
+        let direction = self.direction("way", &light.way, pixel.i, observer);
+        let l = direction.unwrap_or_default();
+        let diffuse = self.diffuse(&pixel.mirror, &l, observer);
+        let halfway = (self.highlight == Highlight::Blinn)
+            .then(|| self.halfway(&l, &pixel.view.unwrap_or_default(), observer));
+        let base = self.base(pixel, &l, halfway.as_ref(), observer);
+        let seen = direction.is_some() && pixel.view.is_some();
+        let specular = self.power.raise(observer, base, pixel.exponent);
+        let intensities = Intensities {
+            diffuse: if direction.is_some() { diffuse } else { Wide::ZERO },
+            specular: if seen { specular } else { Wide::ZERO },
+        };
+        self.ways.spotted(observer, light.spot.as_ref(), &l, intensities, &self.formats())
+    }
+
+    /// The direction of a way at pixel i, a unit vector; none where it has none.
+    fn direction(
+        &self,
+        name: &str,
+        way: &VectorWay<Wide>,
+        i: u32,
+        observer: &mut impl Observer,
+    ) -> Option<Vector> {
+        let vector = self.ways.at(observer, name, way, i);
+        let (unit, exists) = self.normalised(name, &vector, observer);
+        exists.then_some(unit)
+    }
+
+    /// (L + V)/|L + V|.
+    fn halfway(&self, l: &Vector, v: &Vector, observer: &mut impl Observer) -> Vector {
+        let half = std::array::from_fn(|c| (l[c] + v[c]) >> 1);
+        self.normalised("halfway", &half, observer).0
+    }
+
+    /// A vector over its length, and whether it has a direction.
+    fn normalised(
+        &self,
+        name: &str,
+        vector: &Vector,
+        observer: &mut impl Observer,
+    ) -> (Vector, bool) {
+        let f = &self.formats;
+        let z = narrow(
+            observer,
+            format_args!("{name}_length_squared"),
+            dot(vector, vector),
+            f.length_squared,
+        );
+        let gain = reciprocal_square_root(z, f.gain.integer_bits, f.gain.fraction_bits);
+        observer.see(format_args!("{name}_gain"), gain, f.gain);
+        let unit =
+            narrow_vector(observer, &format!("{name}_unit"), vector.map(|c| gain * c), f.vector);
+        (unit, z > Wide::ZERO)
+    }
+
     /// n = N'/|N'| with N' = N0 + a (N1 - N0), and whether N' has a direction.
     fn normal(
         &self,
@@ -250,21 +338,12 @@ impl Consistent {
         }
     }
 
-    fn diffuse(
-        &self,
-        mirror: &Mirror,
-        light: &ConsistentLight<Wide>,
-        observer: &mut impl Observer,
-    ) -> Wide {
+    fn diffuse(&self, mirror: &Mirror, direction: &Vector, observer: &mut impl Observer) -> Wide {
         let format = self.formats.diffuse;
         let intensity = match self.diffuse {
-            Diffuse::Lambert => {
-                round_to(dot(&mirror.normal, &light.direction), format.fraction_bits)
-                    .clamp(Wide::ZERO, Wide::ONE)
-            }
-            Diffuse::Consistent => {
-                self.consistent_cosine("", mirror, &light.direction, format, observer)
-            }
+            Diffuse::Lambert => round_to(dot(&mirror.normal, direction), format.fraction_bits)
+                .clamp(Wide::ZERO, Wide::ONE),
+            Diffuse::Consistent => self.consistent_cosine("", mirror, direction, format, observer),
         };
         observer.see(format_args!("diffuse"), intensity, format);
         intensity
@@ -290,18 +369,19 @@ impl Consistent {
     /// r·L or N_c·H, kept within 0 to 1, and 0 where the normal has no direction.
     fn base(
         &self,
-        mirror: &Mirror,
-        reflection: &Reflection,
-        light: &ConsistentLight<Wide>,
+        pixel: &Pixel,
+        direction: &Vector,
+        halfway: Option<&Vector>,
         observer: &mut impl Observer,
     ) -> Wide {
+        let Pixel { mirror, reflection, .. } = pixel;
         let format = self.formats.base;
-        let base = match (self.highlight, &light.halfway) {
+        let base = match (self.highlight, halfway) {
             (Highlight::Blinn, Some(halfway)) => {
                 self.consistent_cosine("halfway_", mirror, halfway, format, observer)
             }
             _ if mirror.has_direction => {
-                round_to(dot(&reflection.r, &light.direction), format.fraction_bits)
+                round_to(dot(&reflection.r, direction), format.fraction_bits)
                     .clamp(Wide::ZERO, Wide::ONE)
             }
             _ => Wide::ZERO,

@@ -11,12 +11,14 @@ use super::observer::{Nobody, Observer, narrow};
 use super::raised::Raised;
 use super::root::reciprocal_square_root;
 use super::span_extent::SpanExtent;
+use super::ways::Ways;
 
 /// The method in one core's formats.
 pub(super) struct Direct {
     root: Root,
     newton_steps: u32,
     power: Raised,
+    ways: Ways,
     formats: DirectFormats,
 }
 
@@ -27,6 +29,9 @@ pub(super) struct Pixel {
     s: Wide,
     /// K, which goes with J; with Newton's root K/q, which goes with p_L.
     view: Wide,
+    i: u32,
+    /// 1/√(E·E) of an eye at a place.
+    eye: Option<Wide>,
     exponent: Wide,
 }
 
@@ -36,6 +41,7 @@ impl Direct {
             root: direct.root,
             newton_steps: direct.newton_steps,
             power: Raised::new(core, direct.power_unit()),
+            ways: Ways::new(core, direct.ways()),
             formats: direct.formats.clone(),
         }
     }
@@ -54,6 +60,12 @@ impl Method for Direct {
 
     /// With t below 2, q, 1/√q and scalars are as small as their formats say, but for a bit or two.
     fn check(&self, inputs: &DirectInputs<Wide>, extent: SpanExtent) -> Result<(), PacketError> {
+        let eye = inputs.span.eye.as_ref();
+        eye.map_or(Ok(()), |eye| self.ways.check_eye(eye, extent))?;
+        inputs.lights.iter().enumerate().try_for_each(|(index, inputs)| {
+            let way = inputs.light.way.as_ref();
+            way.map_or(Ok(()), |way| self.ways.check_light(index, way, extent))
+        })?;
         extent.weight(inputs.span.weight_step, self.formats.weight_accumulator)
     }
 
@@ -92,7 +104,16 @@ impl Method for Direct {
         light: &DirectLight<Wide>,
         observer: &mut impl Observer,
     ) -> Intensities<Wide> {
-        let linear = self.linear("n_dot_l", &light.light, pixel.t, observer);
+        let way = light.way.as_ref();
+        let arrived = way.map(|way| self.ways.light(observer, way, pixel.eye, pixel.i));
+        let linear = match (&light.light, &arrived) {
+            (_, Some((cosine, _))) => *cosine,
+            (Some(light), None) => self.linear("n_dot_l", light, pixel.t, observer),
+            // An input that is not there is 0.
+            (None, None) => Wide::ZERO,
+        };
+        let given = light.light_dot_view.unwrap_or(Wide::ZERO);
+        let dot_view = arrived.as_ref().map_or(given, |(_, arrival)| arrival.dot_view);
         let n_dot_l = self.cosine("n_dot_l", linear, pixel.s, observer);
         let diffuse = round_to(n_dot_l, self.formats.diffuse.fraction_bits).max(Wide::ZERO);
         observer.see(format_args!("diffuse"), diffuse, self.formats.diffuse);
@@ -100,7 +121,12 @@ impl Method for Direct {
             Root::Exact => n_dot_l,
             Root::Newton => linear,
         };
-        Intensities { diffuse, specular: self.highlight(pixel, along_light, light, observer) }
+        let specular = self.highlight(pixel, along_light, dot_view, observer);
+        let intensities = Intensities { diffuse, specular };
+        match arrived {
+            Some((_, arrival)) => arrival.spotted(intensities, &self.formats()),
+            None => intensities,
+        }
     }
 }
 
@@ -121,12 +147,17 @@ impl Direct {
             Root::Newton => self.reciprocal_length(length, observer),
         };
         observer.see(format_args!("reciprocal"), s, f.reciprocal);
-        let linear = self.linear("n_dot_v", &span.view, t, observer);
+        let eye = span.eye.as_ref().map(|eye| self.ways.eye(observer, eye, i));
+        let linear = match (&span.view, eye) {
+            (_, Some((view, _))) => view,
+            (Some(view), None) => self.linear("n_dot_v", view, t, observer),
+            (None, None) => Wide::ZERO,
+        };
         let view = match self.root {
             Root::Exact => self.cosine("n_dot_v", linear, s, observer),
             Root::Newton => self.over_square(linear, q, observer),
         };
-        Pixel { t, q, s, view, exponent: span.exponent }
+        Pixel { t, q, s, view, i, eye: eye.map(|(_, root)| root), exponent: span.exponent }
     }
 
     /// t and q = 1 - κ t (1 - t).
@@ -215,12 +246,11 @@ impl Direct {
         &self,
         pixel: &Pixel,
         along_light: Wide,
-        light: &DirectLight<Wide>,
+        light_dot_view: Wide,
         observer: &mut impl Observer,
     ) -> Wide {
         let format = self.formats.base;
-        let rounded =
-            round_to(along_light * pixel.view * 2 - light.light_dot_view, format.fraction_bits);
+        let rounded = round_to(along_light * pixel.view * 2 - light_dot_view, format.fraction_bits);
         let base =
             if pixel.q > Wide::ZERO { rounded.clamp(Wide::ZERO, Wide::ONE) } else { Wide::ZERO };
         observer.see(format_args!("base"), base, format);

@@ -13,11 +13,13 @@ use super::number::{Wide, round_signed_quotient};
 use super::observer::Observer;
 use super::raised::Raised;
 use super::span_extent::SpanExtent;
+use super::ways::{Arrival, Ways};
 
 /// The method in one core's formats.
 pub(super) struct Duff {
     highlight: Highlight,
     power: Raised,
+    ways: Ways,
     formats: DuffFormats,
 }
 
@@ -29,6 +31,8 @@ pub(super) struct Pixel {
     /// N·V, and that times s; 0 where nobody asks.
     view: Wide,
     view_cosine: Wide,
+    /// 1/√(E·E) of an eye at a place.
+    eye: Option<Wide>,
     exponent: Wide,
 }
 
@@ -37,6 +41,7 @@ impl Duff {
         Duff {
             highlight: duff.specular,
             power: Raised::new(core, duff.power_unit()),
+            ways: Ways::new(core, duff.ways()),
             formats: duff.formats.clone(),
         }
     }
@@ -64,9 +69,14 @@ impl Method for Duff {
             (0, 1),
         )?;
         inputs.span.view.iter().try_for_each(|view| linear(format_args!("view"), view))?;
+        inputs.span.eye.iter().try_for_each(|eye| self.ways.check_eye(eye, extent))?;
         inputs.lights.iter().enumerate().try_for_each(|(index, inputs)| {
             let light = &inputs.light;
-            linear(format_args!("light{index}_p"), &light.cosine)?;
+            light.way.iter().try_for_each(|way| self.ways.check_light(index, way, extent))?;
+            light
+                .cosine
+                .iter()
+                .try_for_each(|cosine| linear(format_args!("light{index}_p"), cosine))?;
             light
                 .halfway
                 .iter()
@@ -89,11 +99,26 @@ impl Method for Duff {
         light: &DuffLight<Wide>,
         observer: &mut impl Observer,
     ) -> Intensities<Wide> {
-        let p = self.linear().linear(observer, "p", &light.cosine, pixel.i);
+        let arrived =
+            light.way.as_ref().map(|way| self.ways.light(observer, way, pixel.eye, pixel.i));
+        let (p, arrival) = match (&light.cosine, arrived) {
+            (_, Some((p, arrival))) => (p, Some(arrival)),
+            (Some(cosine), None) => (self.linear().linear(observer, "p", cosine, pixel.i), None),
+            // An input that is not there is 0.
+            (None, None) => (Wide::ZERO, None),
+        };
         let c = cosine(observer, "cosine", p * pixel.s, self.formats.cosine);
         let diffuse = amount(observer, "diffuse", c, self.formats.diffuse);
-        let base = self.base(pixel, light, p, c, observer);
-        Intensities { diffuse, specular: self.power.raise(observer, base, pixel.exponent) }
+        let base = match &arrival {
+            Some(arrival) => self.base_to_place(pixel, arrival, p, c, observer),
+            None => self.base(pixel, light, p, c, observer),
+        };
+        let specular = self.power.raise(observer, base, pixel.exponent);
+        let intensities = Intensities { diffuse, specular };
+        match arrival {
+            Some(arrival) => arrival.spotted(intensities, &self.formats()),
+            None => intensities,
+        }
     }
 }
 
@@ -110,12 +135,16 @@ impl Duff {
         let f = &self.formats;
         let q = self.quadratic().quadratic(observer, "denominator", &span.denominator, i);
         let s = root(observer, q, f.root);
-        let (mut view, mut view_cosine) = (Wide::ZERO, Wide::ZERO);
-        if let Some(linear) = &span.view {
-            view = self.linear().linear(observer, "view", linear, i);
-            view_cosine = cosine(observer, "view_cosine", view * s, f.cosine);
-        }
-        Pixel { i, q, s, view, view_cosine, exponent: span.exponent }
+        let eye = span.eye.as_ref().map(|eye| self.ways.eye(observer, eye, i));
+        let view = match (&span.view, eye) {
+            (_, Some((view, _))) => Some(view),
+            (Some(linear), None) => Some(self.linear().linear(observer, "view", linear, i)),
+            (None, None) => None,
+        };
+        let view_cosine =
+            view.map_or(Wide::ZERO, |view| cosine(observer, "view_cosine", view * s, f.cosine));
+        let (view, eye) = (view.unwrap_or(Wide::ZERO), eye.map(|(_, root)| root));
+        Pixel { i, q, s, view, view_cosine, eye, exponent: span.exponent }
     }
 
     /// The base of the highlight, 0 to 1.
@@ -128,7 +157,6 @@ impl Duff {
         observer: &mut impl Observer,
     ) -> Wide {
         let f = &self.formats;
-        let has_direction = pixel.q > Wide::ZERO;
         // An input that is not there is 0.
         let light_dot_view = light.dot_view.unwrap_or(Wide::ZERO);
         match self.highlight {
@@ -147,27 +175,57 @@ impl Duff {
                 });
                 quotient(observer, p, pixel.q, f.base)
             }
-            Highlight::Eq33 => {
-                let (bits, limit) = (f.quotient.fraction_bits, 1 << f.root.integer_bits);
-                let t = if has_direction {
-                    round_signed_quotient(p, pixel.q, bits, limit)
-                } else {
-                    Wide::ZERO
-                };
-                observer.see(format_args!("quotient"), t, f.quotient);
-                reflection(
-                    observer,
-                    has_direction,
-                    ((pixel.view * t) << 1) - light_dot_view,
-                    f.base,
-                )
-            }
-            Highlight::Eq34 => reflection(
-                observer,
-                has_direction,
-                ((pixel.view_cosine * c) << 1) - light_dot_view,
-                f.base,
-            ),
+            Highlight::Eq33 => self.eq33(pixel, p, light_dot_view, observer),
+            Highlight::Eq34 => self.eq34(pixel, c, light_dot_view, observer),
         }
+    }
+
+    /// The same of a light or for an eye at a place.
+    fn base_to_place(
+        &self,
+        pixel: &Pixel,
+        arrival: &Arrival,
+        p: Wide,
+        c: Wide,
+        observer: &mut impl Observer,
+    ) -> Wide {
+        match self.highlight {
+            Highlight::Blinn => {
+                self.ways.halfway(observer, c + pixel.view_cosine, arrival, pixel.eye)
+            }
+            Highlight::Quotient => {
+                let p = self.ways.reflected(observer, [pixel.view, p], arrival.dot_view, pixel.q);
+                quotient(observer, p, pixel.q, self.formats.base)
+            }
+            Highlight::Eq33 => self.eq33(pixel, p, arrival.dot_view, observer),
+            Highlight::Eq34 => self.eq34(pixel, c, arrival.dot_view, observer),
+        }
+    }
+
+    fn eq33(
+        &self,
+        pixel: &Pixel,
+        p: Wide,
+        light_dot_view: Wide,
+        observer: &mut impl Observer,
+    ) -> Wide {
+        let f = &self.formats;
+        let has_direction = pixel.q > Wide::ZERO;
+        let (bits, limit) = (f.quotient.fraction_bits, 1 << f.root.integer_bits);
+        let t =
+            if has_direction { round_signed_quotient(p, pixel.q, bits, limit) } else { Wide::ZERO };
+        observer.see(format_args!("quotient"), t, f.quotient);
+        reflection(observer, has_direction, ((pixel.view * t) << 1) - light_dot_view, f.base)
+    }
+
+    fn eq34(
+        &self,
+        pixel: &Pixel,
+        c: Wide,
+        light_dot_view: Wide,
+        observer: &mut impl Observer,
+    ) -> Wide {
+        let cosine = ((pixel.view_cosine * c) << 1) - light_dot_view;
+        reflection(observer, pixel.q > Wide::ZERO, cosine, self.formats.base)
     }
 }

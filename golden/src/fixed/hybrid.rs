@@ -11,10 +11,12 @@ use super::number::{Wide, round_to};
 use super::observer::Observer;
 use super::raised::Raised;
 use super::span_extent::SpanExtent;
+use super::ways::Ways;
 
 /// The method in one core's formats.
 pub(super) struct Hybrid {
     power: Raised,
+    ways: Ways,
     formats: HybridFormats,
 }
 
@@ -22,12 +24,20 @@ pub(super) struct Hybrid {
 pub(super) struct Pixel {
     i: u32,
     q: Wide,
+    /// N·V; 0 where nobody asks.
+    view: Wide,
+    /// 1/√(E·E) of an eye at a place.
+    eye: Option<Wide>,
     exponent: Wide,
 }
 
 impl Hybrid {
     pub fn new(core: &CoreParameters, hybrid: &HybridSpec) -> Hybrid {
-        Hybrid { power: Raised::new(core, hybrid.power_unit()), formats: hybrid.formats.clone() }
+        Hybrid {
+            power: Raised::new(core, hybrid.power_unit()),
+            ways: Ways::new(core, hybrid.ways()),
+            formats: hybrid.formats.clone(),
+        }
     }
 }
 
@@ -49,13 +59,18 @@ impl Method for Hybrid {
             f.accumulator,
             (0, 1),
         )?;
+        let span = &inputs.span;
+        span.view
+            .iter()
+            .try_for_each(|view| self.ways.check_linear(format_args!("view"), view, extent))?;
+        span.eye.iter().try_for_each(|eye| self.ways.check_eye(eye, extent))?;
         inputs.lights.iter().enumerate().try_for_each(|(index, light)| {
-            extent.quadratic(
-                format_args!("light{index}_numerator"),
-                &light.light.numerator,
-                f.accumulator,
-                (-1, 1),
-            )?;
+            let name = format_args!("light{index}_numerator");
+            light.light.numerator.iter().try_for_each(|numerator| {
+                extent.quadratic(name, numerator, f.accumulator, (-1, 1))
+            })?;
+            let way = light.light.way.as_ref();
+            way.map_or(Ok(()), |way| self.ways.check_light(index, way, extent))?;
             let HybridLight { intensity_start: start, intensity_step: step, .. } = light.light;
             let intensity = Linear { start, step };
             extent.linear(
@@ -75,7 +90,15 @@ impl Method for Hybrid {
         observer: &mut impl Observer,
     ) -> Pixel {
         let q = self.operand().quadratic(observer, "denominator", &span.denominator, i);
-        Pixel { i, q, exponent: span.exponent }
+        let (view, eye) = match (&span.view, &span.eye) {
+            (_, Some(eye)) => {
+                let (view, root) = self.ways.eye(observer, eye, i);
+                (view, Some(root))
+            }
+            (Some(view), None) => (self.ways.linear(observer, "view", view, i), None),
+            (None, None) => (Wide::ZERO, None),
+        };
+        Pixel { i, q, view, eye, exponent: span.exponent }
     }
 
     fn light(
@@ -84,11 +107,25 @@ impl Method for Hybrid {
         light: &HybridLight<Wide>,
         observer: &mut impl Observer,
     ) -> Intensities<Wide> {
-        let p = self.operand().quadratic(observer, "numerator", &light.numerator, pixel.i);
+        let way = light.way.as_ref();
+        let arrived = way.map(|way| self.ways.light(observer, way, pixel.eye, pixel.i));
+        let p = match (&light.numerator, &arrived) {
+            (_, Some((cosine, arrival))) => {
+                self.ways.reflected(observer, [pixel.view, *cosine], arrival.dot_view, pixel.q)
+            }
+            (Some(numerator), None) => {
+                self.operand().quadratic(observer, "numerator", numerator, pixel.i)
+            }
+            // An input that is not there is 0.
+            (None, None) => Wide::ZERO,
+        };
         let base = quotient(observer, p, pixel.q, self.formats.base);
+        let specular = self.power.raise(observer, base, pixel.exponent);
         Intensities {
+            // What a spot leaves of the diffuse light is part of the vertices' intensities.
             diffuse: self.diffuse(light, pixel.i, observer),
-            specular: self.power.raise(observer, base, pixel.exponent),
+            specular: arrived
+                .map_or(specular, |(_, arrival)| arrival.share_of(specular, self.power.format())),
         }
     }
 }

@@ -1,9 +1,11 @@
 //! `lyon`, bit for bit [Lyon, TR 43; methods B; `docs/arithmetic.md`].
-use specula_spec::Format;
 use specula_spec::lyon::{
-    Difference, LOG2_LARGEST_GAIN, LyonFormats, LyonInputs, LyonLight, LyonSpan, LyonSpec,
+    Difference, Halfway, LOG2_LARGEST_GAIN, LyonFormats, LyonInputs, LyonLight, LyonSpan, LyonSpec,
     Normalisation, ShapeDatapath,
 };
+
+use specula_spec::ways::{VectorLight, VectorWay};
+use specula_spec::{CoreParameters, Format};
 
 use super::error::PacketError;
 use super::highlight::limited_quotient;
@@ -14,6 +16,7 @@ use super::packet;
 use super::root::reciprocal_square_root;
 use super::span_extent::SpanExtent;
 use super::vector::{Vector, cross, dot};
+use super::vector_ways::VectorWays;
 use super::wrapped::{WrapFormats, wrapped};
 
 /// V = (0, 0, 1).
@@ -33,11 +36,13 @@ pub(super) struct Lyon {
     squarings: u32,
     /// h of the root shape.
     root_shift: u32,
+    halfway: Halfway,
+    ways: VectorWays,
     formats: LyonFormats,
 }
 
 impl Lyon {
-    pub fn new(lyon: &LyonSpec) -> Lyon {
+    pub fn new(core: &CoreParameters, lyon: &LyonSpec) -> Lyon {
         Lyon {
             normalisation: lyon.normalisation,
             newton_steps: lyon.newton_steps,
@@ -45,6 +50,13 @@ impl Lyon {
             shape: lyon.shape,
             squarings: lyon.squarings,
             root_shift: lyon.root_shift(),
+            halfway: lyon.halfway,
+            ways: VectorWays::new(
+                core,
+                lyon.formats.way_accumulator,
+                lyon.formats.vector,
+                [lyon.formats.shape; 2],
+            ),
             formats: lyon.formats.clone(),
         }
     }
@@ -54,6 +66,9 @@ impl Lyon {
 pub(super) struct Pixel {
     normal: Vector,
     has_direction: bool,
+    i: u32,
+    /// V, and whether the eye is not at the very pixel.
+    view: (Vector, bool),
     /// n, or m of the root shape.
     shininess: Wide,
 }
@@ -80,12 +95,15 @@ impl Method for Lyon {
         packet::check_length(format_args!("wrap_axis"), &axis, Wide::ONE, self.formats.vector)?;
         let longest_halfway = if self.difference.takes_halfway() { TWO } else { LONGEST_BY_G2 };
         for (i, light) in inputs.lights.iter().map(|inputs| &inputs.light).enumerate() {
+            let direction = light.direction.unwrap_or_default();
             packet::check_length(
                 format_args!("light{i}_direction"),
-                &light.direction,
+                &direction,
                 Wide::ONE,
                 self.formats.vector,
             )?;
+            let way = light.way.as_ref();
+            way.map_or(Ok(()), |way| self.ways.check_light(i, way, extent))?;
             let halfway = light.halfway.unwrap_or_default();
             packet::check_length(
                 format_args!("light{i}_halfway"),
@@ -94,6 +112,8 @@ impl Method for Lyon {
                 self.formats.vector,
             )?;
         }
+        let eye = span.eye.as_ref();
+        eye.map_or(Ok(()), |eye| self.ways.check_way(format_args!("eye"), eye, extent))?;
         // H of normals wrapped around a fixed vector is the sum of two unit vectors.
         let longest =
             if span.wrap_axis.is_some() && span.wrap_follows.is_none() { TWO } else { Wide::ONE };
@@ -127,7 +147,11 @@ impl Method for Lyon {
             Some(normal) => (normal, normal != [Wide::ZERO; 3]),
             None => self.normal(span, i, observer),
         };
-        Pixel { normal, has_direction, shininess: span.shininess }
+        let view = match &span.eye {
+            Some(eye) => self.direction("eye", eye, i, observer),
+            None => (EYE, true),
+        };
+        Pixel { normal, has_direction, i, view, shininess: span.shininess }
     }
 
     fn light(
@@ -136,14 +160,95 @@ impl Method for Lyon {
         light: &LyonLight<Wide>,
         observer: &mut impl Observer,
     ) -> Intensities<Wide> {
-        let diffuse = self.diffuse(&pixel.normal, light, observer);
-        let highlight = self.specular(&pixel.normal, light, pixel.shininess, observer);
+        if let Some(way) = &light.way {
+            return self.arriving(pixel, way, observer);
+        }
+        // An input that is not there is 0.
+        let direction = light.direction.unwrap_or_default();
+        let diffuse = self.diffuse(&pixel.normal, &direction, observer);
+        let difference = match &light.halfway {
+            Some(halfway) => self.from_halfway(&pixel.normal, halfway, observer),
+            None => self.from_reflection(&pixel.normal, [&direction, &EYE], observer),
+        };
+        let highlight = self.specular(&difference, pixel.shininess, observer);
         let specular = if pixel.has_direction { highlight } else { Wide::ZERO };
         Intensities { diffuse, specular }
     }
 }
 
 impl Lyon {
+    /// The intensities of a light whose way is followed.
+    fn arriving(
+        &self,
+        pixel: &Pixel,
+        light: &VectorLight<Wide>,
+        observer: &mut impl Observer,
+    ) -> Intensities<Wide> {
+        let (l, exists) = self.direction("way", &light.way, pixel.i, observer);
+        let (v, is_seen) = &pixel.view;
+        let diffuse = self.diffuse(&pixel.normal, &l, observer);
+        let difference = if self.difference.takes_halfway() {
+            let sum = std::array::from_fn(|c| l[c] + v[c]);
+            self.from_halfway(&pixel.normal, &sum, observer)
+        } else if self.difference.takes_unit_halfway() {
+            let halfway = self.unit_halfway(&l, v, observer);
+            self.from_halfway(&pixel.normal, &halfway, observer)
+        } else {
+            self.from_reflection(&pixel.normal, [&l, v], observer)
+        };
+        let highlight = self.specular(&difference, pixel.shininess, observer);
+        let is_lit = pixel.has_direction && exists && *is_seen;
+        let specular = if is_lit { highlight } else { Wide::ZERO };
+        let intensities = Intensities { diffuse, specular };
+        self.ways.spotted(observer, light.spot.as_ref(), &l, intensities, &self.formats())
+    }
+
+    /// A way at pixel i, brought near unit length as normals are, and whether it has a direction.
+    fn direction(
+        &self,
+        name: &str,
+        way: &VectorWay<Wide>,
+        i: u32,
+        observer: &mut impl Observer,
+    ) -> (Vector, bool) {
+        let vector = self.ways.at(observer, name, way, i);
+        self.normalised(name, &vector, (self.normalisation, self.newton_steps), observer)
+    }
+
+    /// h of about unit length, made of L and V (methods B6, B7).
+    fn unit_halfway(&self, l: &Vector, v: &Vector, observer: &mut impl Observer) -> Vector {
+        let half: Vector = std::array::from_fn(|c| (l[c] + v[c]) >> 1);
+        let by = match self.halfway {
+            Halfway::Half => return half,
+            Halfway::Unit => (Normalisation::Exact, 0),
+            Halfway::HalfG2 => (Normalisation::G2, 0),
+        };
+        self.normalised("halfway", &half, by, observer).0
+    }
+
+    /// A vector brought near unit length, and whether it has a direction.
+    fn normalised(
+        &self,
+        name: &str,
+        vector: &Vector,
+        by: (Normalisation, u32),
+        observer: &mut impl Observer,
+    ) -> (Vector, bool) {
+        let f = &self.formats;
+        if by.0 == Normalisation::None {
+            return (*vector, *vector != [Wide::ZERO; 3]);
+        }
+        let z = narrow(
+            observer,
+            format_args!("{name}_length_squared"),
+            dot(vector, vector),
+            f.length_squared,
+        );
+        let gain = self.gain(z, by, observer);
+        let unit = vector.map(|c| gain * c);
+        (narrow_vector(observer, &format!("{name}_unit"), unit, f.vector), z != Wide::ZERO)
+    }
+
     /// n = g N', with N' = N0 + a (N1 - N0), and whether N' has a direction.
     fn normal(
         &self,
@@ -170,7 +275,7 @@ impl Lyon {
             dot(&interpolated, &interpolated),
             f.length_squared,
         );
-        let gain = self.gain(z, observer);
+        let gain = self.gain(z, (self.normalisation, self.newton_steps), observer);
         (
             narrow_vector(observer, "normal", interpolated.map(|c| gain * c), f.vector),
             z != Wide::ZERO,
@@ -216,9 +321,14 @@ impl Lyon {
     }
 
     /// g, near 1/√z: g1 or g2 (methods B8, B9), then Newton steps.
-    fn gain(&self, z: Wide, observer: &mut impl Observer) -> Wide {
+    fn gain(
+        &self,
+        z: Wide,
+        (normalisation, newton_steps): (Normalisation, u32),
+        observer: &mut impl Observer,
+    ) -> Wide {
         let y = Wide::ONE - z;
-        let first = match self.normalisation {
+        let first = match normalisation {
             Normalisation::None => return Wide::ONE,
             Normalisation::Exact => {
                 let root =
@@ -230,7 +340,7 @@ impl Lyon {
             Normalisation::G2 => Wide::ONE + ((y + y * y) >> 1),
         };
         let first = narrow(observer, format_args!("gain"), first, self.formats.gain);
-        (0..self.newton_steps).fold(first, |g, step| self.newton(g, z, step, observer))
+        (0..newton_steps).fold(first, |g, step| self.newton(g, z, step, observer))
     }
 
     /// g (3 - z g²)/2.
@@ -242,29 +352,17 @@ impl Lyon {
         narrow(observer, format_args!("newton{step}_gain"), (g * factor) >> 1, format)
     }
 
-    fn diffuse(
-        &self,
-        normal: &Vector,
-        light: &LyonLight<Wide>,
-        observer: &mut impl Observer,
-    ) -> Wide {
+    fn diffuse(&self, normal: &Vector, direction: &Vector, observer: &mut impl Observer) -> Wide {
         // Rounding is monotonic and leaves 0 as it is, so that the clamp may come first.
-        let cosine = dot(normal, &light.direction).max(Wide::ZERO);
+        let cosine = dot(normal, direction).max(Wide::ZERO);
         narrow(observer, format_args!("diffuse"), cosine, self.formats.diffuse)
     }
 
     /// f_k of x, which is made of D and n or m.
-    fn specular(
-        &self,
-        normal: &Vector,
-        light: &LyonLight<Wide>,
-        shininess: Wide,
-        observer: &mut impl Observer,
-    ) -> Wide {
-        let difference = self.difference(normal, light, observer);
+    fn specular(&self, difference: &Vector, shininess: Wide, observer: &mut impl Observer) -> Wide {
         let shape = match self.shape {
-            ShapeDatapath::FK => self.shape_of_product(&difference, shininess, observer),
-            ShapeDatapath::Root => self.shape_of_squares(&difference, shininess, observer),
+            ShapeDatapath::FK => self.shape_of_product(difference, shininess, observer),
+            ShapeDatapath::Root => self.shape_of_squares(difference, shininess, observer),
         };
         observer.see(format_args!("shape"), shape, self.formats.shape);
         (0..self.squarings).fold(shape, |f, k| {
@@ -301,23 +399,28 @@ impl Lyon {
         if fraction == scaled { (Wide::ONE - argument).max(Wide::ZERO) } else { Wide::ZERO }
     }
 
-    /// The vector D.
-    fn difference(
+    /// D of a reflection of L or V.
+    fn from_reflection(
         &self,
         normal: &Vector,
-        light: &LyonLight<Wide>,
+        [l, v]: [&Vector; 2],
         observer: &mut impl Observer,
     ) -> Vector {
-        let Some(halfway) = &light.halfway else {
-            return match self.difference {
-                Difference::LightReflection => {
-                    self.reflected_minus(normal, "twice_n_dot_l", &light.direction, &EYE, observer)
-                }
-                _ => {
-                    self.reflected_minus(normal, "twice_n_dot_v", &EYE, &light.direction, observer)
-                }
-            };
-        };
+        match self.difference {
+            Difference::LightReflection => {
+                self.reflected_minus(normal, "twice_n_dot_l", l, v, observer)
+            }
+            _ => self.reflected_minus(normal, "twice_n_dot_v", v, l, observer),
+        }
+    }
+
+    /// D of a half-way vector.
+    fn from_halfway(
+        &self,
+        normal: &Vector,
+        halfway: &Vector,
+        observer: &mut impl Observer,
+    ) -> Vector {
         match self.difference {
             Difference::HalfwayCrossNormal => self.halfway_cross_normal(halfway, normal, observer),
             Difference::UnitHalfwayMinusNormal => {

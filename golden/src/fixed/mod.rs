@@ -27,6 +27,8 @@ mod shader;
 mod slerp;
 mod span_extent;
 mod vector;
+mod vector_ways;
+mod ways;
 mod wrapped;
 
 pub use error::PacketError;

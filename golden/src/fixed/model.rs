@@ -28,7 +28,7 @@ impl Model {
     pub fn new(spec: &CoreSpec) -> Model {
         let core = &spec.parameters;
         let method: Box<dyn ShadeSpan> = match &spec.method {
-            MethodSpec::Lyon(lyon) => Shader::boxed(Lyon::new(lyon), core, spec.ports(lyon)),
+            MethodSpec::Lyon(lyon) => Shader::boxed(Lyon::new(core, lyon), core, spec.ports(lyon)),
             MethodSpec::Phong(phong) => {
                 Shader::boxed(Phong::new(core, phong), core, spec.ports(phong))
             }

@@ -3,9 +3,10 @@
 use std::fmt;
 
 use specula_spec::reflection::{
-    Highlight, ReflectionFormats, ReflectionInputs, ReflectionLight, ReflectionSpan, ReflectionSpec,
+    Highlight, ReflectedLight, ReflectionFormats, ReflectionInputs, ReflectionLight,
+    ReflectionSpan, ReflectionSpec,
 };
-use specula_spec::{CoreParameters, Format, Quadratic};
+use specula_spec::{CoreParameters, Format, Linear, Quadratic};
 
 use super::error::PacketError;
 use super::forward::Accumulator;
@@ -15,6 +16,7 @@ use super::number::{Wide, round_quotient};
 use super::observer::Observer;
 use super::raised::Raised;
 use super::span_extent::SpanExtent;
+use super::ways::Ways;
 
 /// The largest 1/q.
 const LARGEST_RECIPROCAL: Wide = Wide::lit("4");
@@ -23,6 +25,7 @@ const LARGEST_RECIPROCAL: Wide = Wide::lit("4");
 pub(super) struct Reflection {
     highlight: Highlight,
     power: Raised,
+    ways: Ways,
     formats: ReflectionFormats,
 }
 
@@ -35,6 +38,11 @@ pub(super) struct Pixel {
     /// N'·V, and N·N; 0 where nobody asks.
     v: Wide,
     normal_squared: Wide,
+    /// H·n and N·V, with ways to places; 0 where nobody asks.
+    h_dot_n: Wide,
+    normal_view: Wide,
+    /// 1/√(E·E) of an eye at a place.
+    eye: Option<Wide>,
     exponent: Wide,
 }
 
@@ -43,6 +51,7 @@ impl Reflection {
         Reflection {
             highlight: spec.specular,
             power: Raised::new(core, spec.power_unit()),
+            ways: Ways::new(core, spec.ways()),
             formats: spec.formats.clone(),
         }
     }
@@ -78,11 +87,76 @@ impl Reflection {
     fn common(&self, span: &ReflectionSpan<Wide>, i: u32, observer: &mut impl Observer) -> Pixel {
         let q = self.operand(observer, "denominator", Some(&span.denominator), i);
         let w = self.reciprocal(observer, q);
+        let linear = |observer: &mut _, name: &str, linear: Option<&Linear<Wide>>| {
+            linear.map_or(Wide::ZERO, |linear| self.ways.linear(observer, name, linear, i))
+        };
+        let h_dot_n = linear(observer, "h_dot_n", span.h_dot_n.as_ref());
+        let mut normal_view = linear(observer, "normal_view", span.normal_view.as_ref());
         let view = self.operand(observer, "view", span.view.as_ref(), i);
-        let v = cosine(observer, "view_cosine", view * w, self.formats.cosine);
+        let mut v = cosine(observer, "view_cosine", view * w, self.formats.cosine);
+        let mut eye = None;
+        if let Some(to) = &span.eye {
+            let root = self.ways.root(observer, "eye", &to.squared, i);
+            let scalars = (&to.bisecting, &to.fixed);
+            v = self.of_way(observer, "view", scalars, [h_dot_n, q, w, root], i);
+            if let Some(normal) = &to.normal {
+                let normal = self.ways.quadratic(observer, "eye_normal", normal, i);
+                normal_view = self.ways.cosine(observer, "normal_view", normal, root);
+            }
+            eye = Some(root);
+        }
         let normal_squared =
             self.operand(observer, "normal_squared", span.normal_squared.as_ref(), i);
-        Pixel { i, q, w, v, normal_squared, exponent: span.exponent }
+        let exponent = span.exponent;
+        Pixel { i, q, w, v, normal_squared, h_dot_n, normal_view, eye, exponent }
+    }
+
+    /// N'·X over the length of a way X, of H·X and n·X and of H·n, q, 1/q and 1/√(X·X) as `of` has
+    /// them.
+    fn of_way(
+        &self,
+        observer: &mut impl Observer,
+        name: &str,
+        (bisecting, fixed): (&Quadratic<Wide>, &Linear<Wide>),
+        [h_dot_n, q, w, root]: [Wide; 4],
+        i: u32,
+    ) -> Wide {
+        let h = self.ways.quadratic(observer, &format!("{name}_bisecting"), bisecting, i);
+        let n = self.ways.linear(observer, &format!("{name}_fixed"), fixed, i);
+        let p = self.ways.reflected(observer, [h, h_dot_n], n, q);
+        let along = self.ways.cosine(observer, &format!("{name}_along"), p, w);
+        cosine(observer, &format!("{name}_cosine"), along * root, self.formats.cosine)
+    }
+
+    /// The intensities of a light whose way is followed.
+    fn arriving(
+        &self,
+        pixel: &Pixel,
+        way: &ReflectedLight<Wide>,
+        observer: &mut impl Observer,
+    ) -> Intensities<Wide> {
+        let f = &self.formats;
+        let arrival = self.ways.arrival(observer, &way.way, pixel.eye, pixel.i);
+        let (scalars, root) = ((&way.bisecting, &way.fixed), arrival.root);
+        let of = [pixel.h_dot_n, pixel.q, pixel.w, root];
+        let c = self.of_way(observer, "way", scalars, of, pixel.i);
+        let diffuse = amount(observer, "diffuse", c, f.diffuse);
+        let base = match (self.highlight, &way.normal) {
+            (Highlight::Blinn, _) => self.ways.halfway(observer, c + pixel.v, &arrival, pixel.eye),
+            (Highlight::Hybrid, Some(normal)) => {
+                let normal = self.ways.quadratic(observer, "way_normal", normal, pixel.i);
+                let l = self.ways.cosine(observer, "normal_light", normal, root);
+                let (of, q) = ([pixel.normal_view, l], pixel.normal_squared);
+                let p = self.ways.reflected(observer, of, arrival.dot_view, q);
+                quotient(observer, p, q, f.base)
+            }
+            _ => {
+                let base = ((pixel.v * c) << 1) - arrival.dot_view;
+                reflection(observer, pixel.q > Wide::ZERO, base, f.base)
+            }
+        };
+        let specular = self.power.raise(observer, base, pixel.exponent);
+        arrival.spotted(Intensities { diffuse, specular }, &self.formats())
     }
 
     /// The base of the highlight, 0 to 1.
@@ -135,9 +209,26 @@ impl Method for Reflection {
         check(format_args!("denominator"), Some(&inputs.span.denominator), 0)?;
         check(format_args!("view"), inputs.span.view.as_ref(), -1)?;
         check(format_args!("normal_squared"), inputs.span.normal_squared.as_ref(), 0)?;
+        let linear = |name: fmt::Arguments<'_>, linear: Option<&Linear<Wide>>| {
+            linear.map_or(Ok(()), |linear| self.ways.check_linear(name, linear, extent))
+        };
+        linear(format_args!("h_dot_n"), inputs.span.h_dot_n.as_ref())?;
+        linear(format_args!("normal_view"), inputs.span.normal_view.as_ref())?;
+        if let Some(eye) = &inputs.span.eye {
+            check(format_args!("eye_bisecting"), Some(&eye.bisecting), -1)?;
+            linear(format_args!("eye_fixed"), Some(&eye.fixed))?;
+            check(format_args!("eye_normal"), eye.normal.as_ref(), -1)?;
+            check(format_args!("eye_squared"), Some(&eye.squared), 0)?;
+        }
         inputs.lights.iter().enumerate().try_for_each(|(index, inputs)| {
             let light = &inputs.light;
-            check(format_args!("light{index}_p"), Some(&light.cosine), -1)?;
+            check(format_args!("light{index}_p"), light.cosine.as_ref(), -1)?;
+            if let Some(way) = &light.way {
+                check(format_args!("light{index}_way_bisecting"), Some(&way.bisecting), -1)?;
+                linear(format_args!("light{index}_way_fixed"), Some(&way.fixed))?;
+                check(format_args!("light{index}_way_normal"), way.normal.as_ref(), -1)?;
+                self.ways.check_way(index, &way.way, extent)?;
+            }
             check(format_args!("light{index}_halfway"), light.halfway.as_ref(), -1)?;
             check(format_args!("light{index}_numerator"), light.numerator.as_ref(), -1)
         })
@@ -159,7 +250,10 @@ impl Method for Reflection {
         light: &ReflectionLight<Wide>,
         observer: &mut impl Observer,
     ) -> Intensities<Wide> {
-        let p = self.operand(observer, "p", Some(&light.cosine), pixel.i);
+        if let Some(way) = &light.way {
+            return self.arriving(pixel, way, observer);
+        }
+        let p = self.operand(observer, "p", light.cosine.as_ref(), pixel.i);
         let c = cosine(observer, "cosine", p * pixel.w, self.formats.cosine);
         let diffuse = amount(observer, "diffuse", c, self.formats.diffuse);
         let base = self.base(pixel, light, c, observer);

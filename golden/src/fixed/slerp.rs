@@ -1,11 +1,13 @@
 //! `slerp`, bit for bit [lecture, eq. 4.7, 4.9 to 4.12; methods A10, A11;
 //! `docs/arithmetic/slerp.md`].
-use std::iter;
+use std::{fmt, iter};
 
 use specula_spec::slerp::{
-    Axes, OnArc, SlerpFormats, SlerpInputs, SlerpLight, SlerpSpan, SlerpSpec,
+    Axes, LightAlongArc, OnArc, SlerpFormats, SlerpInputs, SlerpLight, SlerpSpan, SlerpSpec,
+    WayAlongArc,
 };
-use specula_spec::{CoreParameters, Format};
+use specula_spec::ways::VectorWay;
+use specula_spec::{CoreParameters, Format, Linear};
 
 use super::error::PacketError;
 use super::method::{Intensities, Method};
@@ -15,12 +17,14 @@ use super::packet;
 use super::raised::Raised;
 use super::span_extent::SpanExtent;
 use super::vector::{Vector, dot};
+use super::ways::Ways;
 
 /// The method in one core's formats.
 pub(super) struct Slerp {
     /// Of the angles' cosines and sines.
     state: Format,
     power: Raised,
+    ways: Ways,
     formats: SlerpFormats,
 }
 
@@ -36,6 +40,7 @@ impl Slerp {
                 slerp.formats.state
             },
             power: Raised::new(core, slerp.power_unit()),
+            ways: Ways::new(core, slerp.ways()),
             formats: slerp.formats.clone(),
         }
     }
@@ -46,6 +51,9 @@ pub(super) struct Pixel {
     weights: [Wide; 2],
     normal: Option<Vector>,
     n_dot_v: Wide,
+    i: u32,
+    /// 1/√(E·E) of an eye at a place.
+    eye: Option<Wide>,
     exponent: Wide,
 }
 
@@ -82,6 +90,15 @@ impl Method for Slerp {
                 self.formats.vector,
             )?;
         }
+        if let Some(eye) = &span.eye {
+            self.check_way(format_args!("eye"), &eye.normal, extent)?;
+            self.ways.check(format_args!("eye_squared"), &eye.squared, extent, 0)?;
+        }
+        inputs.lights.iter().enumerate().try_for_each(|(index, inputs)| {
+            let Some(light) = &inputs.light.way else { return Ok(()) };
+            self.check_way(format_args!("light{index}_way"), &light.normal, extent)?;
+            self.ways.check_way(index, &light.way, extent)
+        })?;
         let states = iter::successors(Some(first(span)), |&state| Some(self.turned(span, state)));
         let are_small =
             || states.take(extent.length as usize).flatten().flatten().all(|x| x.abs() < 8);
@@ -103,16 +120,28 @@ impl Method for Slerp {
         &self,
         span: &SlerpSpan<Wide>,
         state: [Circling; 2],
-        _i: u32,
+        i: u32,
         observer: &mut impl Observer,
     ) -> Pixel {
         let weights = self.weights(state, observer);
         let normal = span.normal.as_ref().map(|axes| self.normal(axes, weights, observer));
-        let n_dot_v = match &normal {
-            Some(n) => narrow(observer, format_args!("n_dot_v"), n[2], self.formats.cosine),
-            None => self.corrected(span.view.as_ref(), weights, observer),
+        let eye = span.eye.as_ref().map(|to| self.ways.root(observer, "eye", &to.squared, i));
+        let n_dot_v = match (&span.eye, eye, &normal) {
+            (Some(to), Some(root), _) => {
+                let way = self.along("eye", &to.normal, (normal.as_ref(), weights), i, observer);
+                self.ways.cosine(observer, "n_dot_v", way, root)
+            }
+            (.., Some(n)) => narrow(observer, format_args!("n_dot_v"), n[2], self.formats.cosine),
+            _ => {
+                let n_dot_v = on_arc(span.view.as_ref(), weights);
+                narrow(observer, format_args!("n_dot_v"), n_dot_v, self.formats.cosine)
+            }
         };
-        Pixel { weights, normal, n_dot_v, exponent: span.exponent }
+        let n_dot_v = match normal {
+            Some(_) => n_dot_v,
+            None => self.corrected(n_dot_v, weights, observer),
+        };
+        Pixel { weights, normal, n_dot_v, i, eye, exponent: span.exponent }
     }
 
     fn light(
@@ -121,13 +150,18 @@ impl Method for Slerp {
         light: &SlerpLight<Wide>,
         observer: &mut impl Observer,
     ) -> Intensities<Wide> {
+        if let Some(light) = &light.way {
+            return self.arriving(pixel, light, observer);
+        }
         let n_dot_l = match (&pixel.normal, &light.direction) {
             (Some(n), Some(direction)) => dot(n, direction),
             _ => on_arc(light.light.as_ref(), pixel.weights),
         };
         let n_dot_l = narrow(observer, format_args!("n_dot_l"), n_dot_l, self.formats.cosine);
         let diffuse = self.diffuse(n_dot_l, observer);
-        let base = self.base(n_dot_l, pixel.n_dot_v, light, observer);
+        // An input that is not there is 0.
+        let dot_view = light.light_dot_view.unwrap_or(Wide::ZERO);
+        let base = self.base(n_dot_l, pixel.n_dot_v, dot_view, observer);
         Intensities { diffuse, specular: self.power.raise(observer, base, pixel.exponent) }
     }
 }
@@ -146,6 +180,65 @@ fn on_arc(scalars: Option<&OnArc<Wide>>, [u, v]: [Wide; 2]) -> Wide {
 }
 
 impl Slerp {
+    fn check_way(
+        &self,
+        name: fmt::Arguments<'_>,
+        way: &WayAlongArc<Wide>,
+        extent: SpanExtent,
+    ) -> Result<(), PacketError> {
+        let components = way.vector.iter().flat_map(|vector| [&vector.x, &vector.y, &vector.z]);
+        way.start
+            .iter()
+            .chain(&way.across)
+            .chain(components)
+            .try_for_each(|linear| self.ways.check_linear(name, linear, extent))
+    }
+
+    /// N·X of a way X, as an operand: of its scalars, or of the way itself where there is a normal.
+    fn along(
+        &self,
+        name: &str,
+        way: &WayAlongArc<Wide>,
+        (normal, weights): (Option<&Vector>, [Wide; 2]),
+        i: u32,
+        observer: &mut impl Observer,
+    ) -> Wide {
+        let linear = |observer: &mut _, part: &str, linear: Option<&Linear<Wide>>| {
+            let name = format!("{name}_{part}");
+            linear.map_or(Wide::ZERO, |linear| self.ways.linear(observer, &name, linear, i))
+        };
+        let exact = match (normal, &way.vector) {
+            (Some(normal), Some(VectorWay { x, y, z })) => {
+                let way = [("x", x), ("y", y), ("z", z)]
+                    .map(|(part, component)| linear(observer, part, Some(component)));
+                dot(normal, &way)
+            }
+            _ => {
+                let start = linear(observer, "start", way.start.as_ref());
+                let across = linear(observer, "across", way.across.as_ref());
+                weights[0] * start + weights[1] * across
+            }
+        };
+        narrow(observer, format_args!("{name}_normal"), exact, self.formats.cosine)
+    }
+
+    /// The intensities of a light whose way is followed.
+    fn arriving(
+        &self,
+        pixel: &Pixel,
+        light: &LightAlongArc<Wide>,
+        observer: &mut impl Observer,
+    ) -> Intensities<Wide> {
+        let arrival = self.ways.arrival(observer, &light.way, pixel.eye, pixel.i);
+        let normal = (pixel.normal.as_ref(), pixel.weights);
+        let way = self.along("way", &light.normal, normal, pixel.i, observer);
+        let n_dot_l = self.ways.cosine(observer, "n_dot_l", way, arrival.root);
+        let diffuse = self.diffuse(n_dot_l, observer);
+        let base = self.base(n_dot_l, pixel.n_dot_v, arrival.dot_view, observer);
+        let specular = self.power.raise(observer, base, pixel.exponent);
+        arrival.spotted(Intensities { diffuse, specular }, &self.formats())
+    }
+
     /// The weights of start and end.
     fn weights(&self, [falling, rising]: [Circling; 2], observer: &mut impl Observer) -> [Wide; 2] {
         let [cosine, sine] = [falling[0], rising[1]];
@@ -168,14 +261,8 @@ impl Slerp {
     }
 
     /// K (2 - N·N).
-    fn corrected(
-        &self,
-        view: Option<&OnArc<Wide>>,
-        weights: [Wide; 2],
-        observer: &mut impl Observer,
-    ) -> Wide {
-        let (format, [c, s]) = (self.formats.cosine, weights);
-        let n_dot_v = narrow(observer, format_args!("n_dot_v"), on_arc(view, weights), format);
+    fn corrected(&self, n_dot_v: Wide, [c, s]: [Wide; 2], observer: &mut impl Observer) -> Wide {
+        let format = self.formats.cosine;
         let correction = narrow(
             observer,
             format_args!("correction"),
@@ -212,10 +299,10 @@ impl Slerp {
         &self,
         n_dot_l: Wide,
         n_dot_v: Wide,
-        light: &SlerpLight<Wide>,
+        light_dot_view: Wide,
         observer: &mut impl Observer,
     ) -> Wide {
-        let base = n_dot_l * n_dot_v * 2 - light.light_dot_view;
+        let base = n_dot_l * n_dot_v * 2 - light_dot_view;
         let base = round_to(base, self.formats.base.fraction_bits).clamp(Wide::ZERO, Wide::ONE);
         observer.see(format_args!("base"), base, self.formats.base);
         base

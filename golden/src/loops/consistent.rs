@@ -4,7 +4,6 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use std::marker::PhantomData;
 
 use glam::DVec3;
-use specula_scene::frame::EYE;
 
 use super::differences::{Vector, dot, scaled, vector};
 use super::lyon::{Halfway, Unit};
@@ -104,8 +103,8 @@ impl<T: Number, C: Curve> Scheme<T> for Consistent<T, C> {
         Consistent {
             surface: Surface::new(line),
             light: vector(light),
-            eye: vector(EYE),
-            light_eye: T::of(light.dot(EYE)),
+            eye: vector(line.eye),
+            light_eye: T::of(light.dot(line.eye)),
         }
     }
 
@@ -131,7 +130,7 @@ pub struct ConsistentNormal<T, C> {
 
 impl<T: Number, C: Curve> Scheme<T> for ConsistentNormal<T, C> {
     fn new(line: &Line, light: DVec3) -> Self {
-        let halfway = Unit::of(light);
+        let halfway = Unit::of(light + line.eye);
         ConsistentNormal {
             surface: Surface::new(line),
             light: vector(light),

@@ -19,7 +19,7 @@ impl<T: Number> Cosines<T> {
         Cosines {
             normal: Walk::new(line.ends[0], line.step()),
             light: vector(light),
-            halfway: vector(Unit::of(light)),
+            halfway: vector(Unit::of(light + line.eye)),
         }
     }
 

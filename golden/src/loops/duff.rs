@@ -1,7 +1,6 @@
 //! Duff's scalars along a scan line, and the highlights that go with them [Hast, Barrera and
 //! Bengtsson, §1.2, §3, §4.2; methods C2, C3, C8 to C11].
 use glam::DVec3;
-use specula_scene::frame::EYE;
 
 use super::gouraud::between;
 use super::{Line, Linear, Number, Pair, Plane, Scheme, Second};
@@ -9,7 +8,6 @@ use crate::exact::formula::diffuse::lambert;
 use crate::exact::formula::direct;
 use crate::exact::formula::normalisation::unit;
 use crate::exact::formula::quadratic::Quadratic;
-use crate::exact::formula::reflection::halfway;
 
 /// p = N·L and q = N·N [eq. 6 to 8].
 #[derive(Clone, Copy, Debug)]
@@ -55,7 +53,7 @@ impl<T: Number> Base<T> {
     pub(super) fn new(line: &Line, light: DVec3) -> Self {
         let (m, k) = (line.ends[0], line.step());
         let q = Quadratic::square(m, k);
-        let p = Quadratic::product(m, k, 2.0 * EYE, light).plus(-light.dot(EYE), q);
+        let p = Quadratic::product(m, k, 2.0 * line.eye, light).plus(-light.dot(line.eye), q);
         Base { p: Second::new(p), q: Second::new(q) }
     }
 
@@ -103,7 +101,7 @@ impl<T: Number> Scheme<T> for DuffBlinn<T> {
     fn new(line: &Line, light: DVec3) -> Self {
         DuffBlinn {
             duff: Duff::new(line, light),
-            r: between(line.ends.map(|n| n.dot(unit_halfway(light))), line),
+            r: between(line.ends.map(|n| n.dot(unit_halfway(light, line.eye))), line),
         }
     }
 
@@ -120,8 +118,8 @@ impl<T: Number> Scheme<T> for DuffBlinn<T> {
 }
 
 /// H/|H|, or 0 for L = -V, which gives no highlight (extremes row 12).
-pub(super) fn unit_halfway(light: DVec3) -> DVec3 {
-    unit(halfway(light)).unwrap_or(DVec3::ZERO)
+pub(super) fn unit_halfway(light: DVec3, eye: DVec3) -> DVec3 {
+    unit(light + eye).unwrap_or(DVec3::ZERO)
 }
 
 /// Duff with the specular numerator of [`Hybrid`] over the same q [methods C9].
@@ -156,7 +154,7 @@ impl<T: Number> Scheme<T> for DuffQuotient<T> {
         DuffQuotient {
             duff: Duff::new(line, light),
             r: twice_eye(line),
-            light_eye: T::of(light.dot(EYE)),
+            light_eye: T::of(light.dot(line.eye)),
         }
     }
 
@@ -180,7 +178,7 @@ impl<T: Number> Scheme<T> for DuffRoot<T> {
         DuffRoot {
             duff: Duff::new(line, light),
             r: twice_eye(line),
-            light_eye: T::of(light.dot(EYE)),
+            light_eye: T::of(light.dot(line.eye)),
         }
     }
 
@@ -194,7 +192,7 @@ impl<T: Number> Scheme<T> for DuffRoot<T> {
 }
 
 fn twice_eye<T: Number>(line: &Line) -> Linear<T> {
-    between(line.ends.map(|n| 2.0 * n.dot(EYE)), line)
+    between(line.ends.map(|n| 2.0 * n.dot(line.eye)), line)
 }
 
 /// [`DuffRoot`] with q = q0 + t(q1 - q0) - κ t(1-t) from t, without second differences, which
@@ -218,10 +216,10 @@ impl<T: Number> Scheme<T> for Direct<T> {
         Direct {
             t: Linear::new(0.0, line.per_step()),
             p: lerp(light),
-            r: lerp(2.0 * EYE),
+            r: lerp(2.0 * line.eye),
             q: [q0, q1 - q0].map(T::of),
             kappa: T::of(direct::kappa(line.ends)),
-            light_eye: T::of(light.dot(EYE)),
+            light_eye: T::of(light.dot(line.eye)),
         }
     }
 

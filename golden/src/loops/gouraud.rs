@@ -1,6 +1,5 @@
 //! Shading without normals in the loop [lecture, §2 and §3; methods A3, A4].
 use glam::DVec3;
-use specula_scene::frame::EYE;
 
 use super::differences::{dot, vector};
 use super::number::power;
@@ -20,7 +19,7 @@ impl<T: Number> Uniform<T> {
 
 impl<T: Number> Scheme<T> for Uniform<T> {
     fn new(line: &Line, light: DVec3) -> Self {
-        Uniform::of(intensities(line.face, light, EYE, line.shininess))
+        Uniform::of(intensities(line.face, light, line.eye, line.shininess))
     }
 
     #[inline(always)]
@@ -63,7 +62,7 @@ impl<T: Number> Gouraud<T> {
 impl<T: Number> Scheme<T> for Gouraud<T> {
     fn new(line: &Line, light: DVec3) -> Self {
         let at_vertices: [Pair<f64>; 3] =
-            line.vertices.map(|n| intensities(n, light, EYE, line.shininess));
+            line.vertices.map(|n| intensities(n, light, line.eye, line.shininess));
         Gouraud {
             diffuse: Plane::along(line, at_vertices.map(|at| at.diffuse)),
             specular: Plane::along(line, at_vertices.map(|at| at.base)),

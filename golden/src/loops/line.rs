@@ -20,10 +20,12 @@ pub struct Line {
     pub weights: [[f64; 3]; 2],
     /// Phong's exponent n.
     pub shininess: u32,
+    /// V, a unit vector: the direction to the eye, constant along the span.
+    pub eye: DVec3,
 }
 
 impl Line {
-    /// The line of a frame's span.
+    /// The line of a frame's span, seen by an eye at infinity.
     pub fn new(frame: &Frame, span: &Span) -> Line {
         let triangle = &frame.triangles[span.triangle];
         Line {
@@ -33,6 +35,7 @@ impl Line {
             face: unit(triangle.facet.normal).unwrap_or(EYE),
             weights: [span.start, span.end],
             shininess: frame.material(span).shininess,
+            eye: EYE,
         }
     }
 

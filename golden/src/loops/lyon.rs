@@ -1,14 +1,12 @@
-//! Lyon's loop: approximate normalisation, D, and 1 - x/2^k to the power 2^k [Lyon, TR 43;
-//! methods B1 to B13].
+//! Lyon's loop: approximate normalisation, D, and 1 - x/K to the power K, with K = 2^k or any other
+//! number [Lyon, TR 43; methods B1 to B13].
 use std::marker::PhantomData;
 
 use glam::DVec3;
-use specula_scene::frame::EYE;
 
 use super::differences::{Vector, difference, dot, scaled, vector};
 use super::{Line, Number, Pair, Scheme, Walk};
 use crate::exact::formula::normalisation::{g2, unit};
-use crate::exact::formula::reflection::halfway;
 
 /// N = g2(N'·N') N' [methods B9].
 #[derive(Clone, Copy, Debug)]
@@ -28,21 +26,21 @@ pub trait DifferenceVector<T: Number>: Copy {
     /// The factor of n that goes with D·D.
     const FACTOR: u32;
 
-    /// Sets the vector up for a light in the unit direction L.
-    fn new(light: DVec3) -> Self;
+    /// Sets the vector up for a light and an eye in the unit directions L and V.
+    fn new(light: DVec3, eye: DVec3) -> Self;
 
     /// D for a normal.
     fn of(&self, normal: Vector<T>) -> Vector<T>;
 }
 
-/// N·L, and 1 - x/2^k with x = (n/2) D·D; the power 2^k is computed afterwards. k = 2 is "visually
-/// indistinguishable" from Phong's.
+/// N·L, and 1 - x/K with x = (n/2) D·D; the power K is computed afterwards [methods B10]. K = 4 is
+/// "visually indistinguishable" from Phong's.
 #[derive(Clone, Copy, Debug)]
 pub struct Lyon<T, D, const K: u32> {
     normal: Normal<T>,
     light: Vector<T>,
     chord: D,
-    /// n/2^(k+1).
+    /// n/2K.
     scale: T,
 }
 
@@ -51,8 +49,8 @@ impl<T: Number, D: DifferenceVector<T>, const K: u32> Scheme<T> for Lyon<T, D, K
         Lyon {
             normal: Normal(Walk::new(line.ends[0], line.step())),
             light: vector(light),
-            chord: D::new(light),
-            scale: T::of(f64::from(D::FACTOR * line.shininess) / f64::from(2u32 << K)),
+            chord: D::new(light, line.eye),
+            scale: T::of(f64::from(D::FACTOR * line.shininess) / f64::from(2 * K)),
         }
     }
 
@@ -64,7 +62,7 @@ impl<T: Number, D: DifferenceVector<T>, const K: u32> Scheme<T> for Lyon<T, D, K
     }
 
     fn exponent(_: u32) -> u32 {
-        1 << K
+        K
     }
 }
 
@@ -78,8 +76,8 @@ pub struct Reflected<T> {
 impl<T: Number> DifferenceVector<T> for Reflected<T> {
     const FACTOR: u32 = 1;
 
-    fn new(light: DVec3) -> Self {
-        Reflected { twice_eye: vector(2.0 * EYE), halfway: vector(halfway(light)) }
+    fn new(light: DVec3, eye: DVec3) -> Self {
+        Reflected { twice_eye: vector(2.0 * eye), halfway: vector(light + eye) }
     }
 
     #[inline(always)]
@@ -98,8 +96,8 @@ pub struct LightReflected<T> {
 impl<T: Number> DifferenceVector<T> for LightReflected<T> {
     const FACTOR: u32 = 1;
 
-    fn new(light: DVec3) -> Self {
-        LightReflected { twice_light: vector(2.0 * light), halfway: vector(halfway(light)) }
+    fn new(light: DVec3, eye: DVec3) -> Self {
+        LightReflected { twice_light: vector(2.0 * light), halfway: vector(light + eye) }
     }
 
     #[inline(always)]
@@ -115,8 +113,8 @@ pub struct Cross<T>(Vector<T>);
 impl<T: Number> DifferenceVector<T> for Cross<T> {
     const FACTOR: u32 = 1;
 
-    fn new(light: DVec3) -> Self {
-        Cross(vector(halfway(light)))
+    fn new(light: DVec3, eye: DVec3) -> Self {
+        Cross(vector(light + eye))
     }
 
     #[inline(always)]
@@ -131,8 +129,8 @@ pub trait Halfway: Copy {
     /// The factor of n that goes with D·D.
     const FACTOR: u32;
 
-    /// The half-way vector of L and V.
-    fn of(light: DVec3) -> DVec3;
+    /// The half-way vector of L and V, from their sum.
+    fn of(sum: DVec3) -> DVec3;
 }
 
 /// H = L + V.
@@ -142,8 +140,8 @@ pub struct Sum;
 impl Halfway for Sum {
     const FACTOR: u32 = 1;
 
-    fn of(light: DVec3) -> DVec3 {
-        halfway(light)
+    fn of(sum: DVec3) -> DVec3 {
+        sum
     }
 }
 
@@ -154,8 +152,8 @@ pub struct Unit;
 impl Halfway for Unit {
     const FACTOR: u32 = 4;
 
-    fn of(light: DVec3) -> DVec3 {
-        unit(halfway(light)).unwrap_or(DVec3::ZERO)
+    fn of(sum: DVec3) -> DVec3 {
+        unit(sum).unwrap_or(DVec3::ZERO)
     }
 }
 
@@ -166,8 +164,8 @@ pub struct Half;
 impl Halfway for Half {
     const FACTOR: u32 = 4;
 
-    fn of(light: DVec3) -> DVec3 {
-        halfway(light) / 2.0
+    fn of(sum: DVec3) -> DVec3 {
+        sum / 2.0
     }
 }
 
@@ -178,8 +176,8 @@ pub struct HalfG2;
 impl Halfway for HalfG2 {
     const FACTOR: u32 = 4;
 
-    fn of(light: DVec3) -> DVec3 {
-        let h = Half::of(light);
+    fn of(sum: DVec3) -> DVec3 {
+        let h = Half::of(sum);
         g2(h.length_squared()) * h
     }
 }
@@ -191,8 +189,8 @@ pub struct ToProjection<T, H>(Vector<T>, PhantomData<H>);
 impl<T: Number, H: Halfway> DifferenceVector<T> for ToProjection<T, H> {
     const FACTOR: u32 = H::FACTOR;
 
-    fn new(light: DVec3) -> Self {
-        ToProjection(vector(H::of(light)), PhantomData)
+    fn new(light: DVec3, eye: DVec3) -> Self {
+        ToProjection(vector(H::of(light + eye)), PhantomData)
     }
 
     #[inline(always)]
@@ -208,8 +206,8 @@ pub struct ToNormal<T, H>(Vector<T>, PhantomData<H>);
 impl<T: Number, H: Halfway> DifferenceVector<T> for ToNormal<T, H> {
     const FACTOR: u32 = H::FACTOR;
 
-    fn new(light: DVec3) -> Self {
-        ToNormal(vector(H::of(light)), PhantomData)
+    fn new(light: DVec3, eye: DVec3) -> Self {
+        ToNormal(vector(H::of(light + eye)), PhantomData)
     }
 
     #[inline(always)]
@@ -218,13 +216,13 @@ impl<T: Number, H: Halfway> DifferenceVector<T> for ToNormal<T, H> {
     }
 }
 
-/// R - L, with 2^K for the power.
+/// R - L.
 pub type LyonReflection<T, const K: u32> = Lyon<T, Reflected<T>, K>;
-/// D2, k = 2.
-pub type LyonLightReflection<T> = Lyon<T, LightReflected<T>, 2>;
-/// H × N, k = 2.
-pub type LyonCross<T> = Lyon<T, Cross<T>, 2>;
+/// D2, K = 4.
+pub type LyonLightReflection<T> = Lyon<T, LightReflected<T>, 4>;
+/// H × N, K = 4.
+pub type LyonCross<T> = Lyon<T, Cross<T>, 4>;
 /// (h·N)N - h.
 pub type LyonProjection<T, H, const K: u32> = Lyon<T, ToProjection<T, H>, K>;
-/// h - N, k = 2.
-pub type LyonNormal<T, H> = Lyon<T, ToNormal<T, H>, 2>;
+/// h - N, K = 4.
+pub type LyonNormal<T, H> = Lyon<T, ToNormal<T, H>, 4>;

@@ -9,6 +9,7 @@ mod differences;
 mod distributions;
 mod duff;
 mod edge;
+mod exponential;
 mod gouraud;
 mod line;
 mod lyon;
@@ -29,6 +30,7 @@ pub use differences::{Linear, Second, Vector, Walk, dot, vector};
 pub use distributions::{Blinn, TorranceSparrow, TrowbridgeReitz};
 pub use duff::{Direct, Duff, DuffBlinn, DuffHybrid, DuffQuotient, DuffRoot, Hybrid};
 pub use edge::{Edge, EdgeStep, Plane};
+pub use exponential::Exponential;
 pub use gouraud::{Gouraud, Uniform, intensities};
 pub use line::Line;
 pub use lyon::{

@@ -1,7 +1,6 @@
 //! The lecture's two ways to shade with an interpolated normal [lecture, §4.1 to §4.3; methods
 //! A5 to A7].
 use glam::DVec3;
-use specula_scene::frame::EYE;
 
 use super::differences::{Vector, dot, vector};
 use super::gouraud::between;
@@ -21,8 +20,8 @@ impl<T: Number> Scheme<T> for Phong<T> {
         Phong {
             normal: Walk::new(line.ends[0], line.step()),
             light: vector(light),
-            eye: vector(EYE),
-            light_eye: T::of(light.dot(EYE)),
+            eye: vector(line.eye),
+            light_eye: T::of(light.dot(line.eye)),
         }
     }
 
@@ -54,12 +53,12 @@ impl<T: Number, const STEPS: usize> Scheme<T> for FastPhong<T, STEPS> {
     fn new(line: &Line, light: DVec3) -> Self {
         FastPhong {
             j: between(line.ends.map(|n| n.dot(light)), line),
-            twice_k: between(line.ends.map(|n| 2.0 * n.dot(EYE)), line),
+            twice_k: between(line.ends.map(|n| 2.0 * n.dot(line.eye)), line),
             normal: Walk::new(line.ends[0], line.step()),
             // The root is exact at the first pixel: nothing is taken over from another span
             // (extremes rows 18 and 20).
             length: T::of(line.ends[0].length()).floored(),
-            light_eye: T::of(light.dot(EYE)),
+            light_eye: T::of(light.dot(line.eye)),
         }
     }
 

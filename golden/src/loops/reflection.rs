@@ -3,7 +3,6 @@
 //!
 //! The caller checks [`wrap::serves`](crate::exact::formula::wrap::serves) first (extremes row 8).
 use glam::DVec3;
-use specula_scene::frame::EYE;
 
 use super::differences::{Vector, difference, dot, scaled, sum, vector};
 use super::duff::{Base, unit_halfway};
@@ -49,7 +48,7 @@ impl<T: Number> Scheme<T> for ReflectionBlinn<T> {
     fn new(line: &Line, light: DVec3) -> Self {
         ReflectionBlinn {
             lambert: Reflection::new(line, light),
-            halfway: numerator(line, unit_halfway(light)),
+            halfway: numerator(line, unit_halfway(light, line.eye)),
         }
     }
 
@@ -94,8 +93,8 @@ impl<T: Number> Scheme<T> for ReflectionRoot<T> {
     fn new(line: &Line, light: DVec3) -> Self {
         ReflectionRoot {
             lambert: Reflection::new(line, light),
-            eye: numerator(line, 2.0 * EYE),
-            light_eye: T::of(light.dot(EYE)),
+            eye: numerator(line, 2.0 * line.eye),
+            light_eye: T::of(light.dot(line.eye)),
         }
     }
 
@@ -123,8 +122,8 @@ impl<T: Number> Scheme<T> for Chained<T> {
             before: vector(line.unit_ends()[0]),
             normal: Walk::new(line.ends[0], line.step()),
             light: vector(light),
-            twice_eye: vector(2.0 * EYE),
-            light_eye: T::of(light.dot(EYE)),
+            twice_eye: vector(2.0 * line.eye),
+            light_eye: T::of(light.dot(line.eye)),
         }
     }
 

@@ -3,7 +3,6 @@
 //! The caller checks [`slerp::angle`](crate::exact::formula::slerp::angle) first; without an angle the arc
 //! is that of [`Phong`](super::Phong).
 use glam::DVec3;
-use specula_scene::frame::EYE;
 
 use super::{Line, Number, Pair, Scheme};
 use crate::exact::formula::slerp::{angle, tangent};
@@ -62,8 +61,8 @@ impl<T: Number> Scheme<T> for Slerp<T> {
             // (1-t)φ falls: eq. 4.10 and 4.12 are a rotation by -δ.
             falling: Rotation::new(angle, -step),
             j: products(light),
-            twice_k: products(2.0 * EYE),
-            light_eye: T::of(light.dot(EYE)),
+            twice_k: products(2.0 * line.eye),
+            light_eye: T::of(light.dot(line.eye)),
         }
     }
 
@@ -91,8 +90,8 @@ impl<T: Number> Scheme<T> for FrameSlerp<T> {
         FrameSlerp {
             rotation: Rotation::new(0.0, arc(line) * line.per_step()),
             j: axes.map(|a| T::of(a.dot(light))),
-            twice_k: axes.map(|a| T::of(2.0 * a.dot(EYE))),
-            light_eye: T::of(light.dot(EYE)),
+            twice_k: axes.map(|a| T::of(2.0 * a.dot(line.eye))),
+            light_eye: T::of(light.dot(line.eye)),
         }
     }
 
@@ -143,8 +142,8 @@ impl<T: Number> Scheme<T> for Chebyshev<T> {
         let harmonic = |v: DVec3| Harmonic::new(ends[0].dot(v), across.dot(v), step);
         Chebyshev {
             j: harmonic(light),
-            twice_k: harmonic(2.0 * EYE),
-            light_eye: T::of(light.dot(EYE)),
+            twice_k: harmonic(2.0 * line.eye),
+            light_eye: T::of(light.dot(line.eye)),
         }
     }
 

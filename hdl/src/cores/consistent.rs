@@ -2,9 +2,13 @@
 use specula_spec::consistent::{
     ConsistentInputs, ConsistentLight, ConsistentSpec, Curve, Diffuse, Highlight,
 };
+use specula_spec::ways::{VectorLight, VectorWay};
 use specula_spec::{CoreParameters, Format, InputPort};
 
 use super::common::{Intensities, SHORTEST_NORMAL, eye, finish, time_slots};
+use super::forward::Forward;
+use super::vector_ways::{VectorWays, alike};
+use super::ways::spots;
 use crate::error;
 use crate::error::consistent_reflection::highlight;
 use crate::units::{self, ExactNormalisation, Interpolation, SpanAngles, SpanNormals};
@@ -21,7 +25,8 @@ pub(super) fn core(
     ports: &ConsistentInputs<InputPort>,
 ) -> Result<Graph, BuildError> {
     let slots = time_slots(&b, parameters);
-    let inputs = ports.map(|port| b.input(port));
+    let mut inputs = ports.map(|port| b.input(port));
+    alike(&b, &slots, &mut inputs.lights, |light| light.way.as_mut());
     let (f, steps) = (&consistent.formats, parameters.longest_span - 1);
     let span = SpanNormals {
         first: &slots.first_pixel,
@@ -56,11 +61,31 @@ pub(super) fn core(
     let q = units::contraction(&b, angles, consistent.curve, f, steps);
     let least_q = Interval::at_least(least_contraction(parameters, consistent.curve));
     let q = q.real_within(least_q, "no angle is larger than that of a vertex");
+    let ways = VectorWays {
+        forward: Forward { b: &b, first: &slots.first_pixel, steps },
+        parameters,
+        vector: f.vector,
+        base: f.base,
+        shape: f.shape,
+        spots: spots(&b, parameters, &slots),
+    };
+    let view = match &inputs.span.eye {
+        Some(eye) => direction(&ways, "eye", eye, to),
+        None => (eye(&b), b.integer(1)),
+    };
     let least_divisor = (1.0 + parameters.least_view_cosine).max(0.0);
-    let of_eye = || units::consistent_reflection(&b, &n, &eye(&b), &q, f, least_divisor).0;
+    let of_eye = || units::consistent_reflection(&b, &n, &view.0, &q, f, least_divisor).0;
     let r = (consistent.highlight == Highlight::Reflection).then(of_eye);
-    let pixel =
-        Pixel { b: &b, consistent, n: &n, has_direction: &has_direction, q: &q, r: r.as_ref() };
+    let pixel = Pixel {
+        ways: &ways,
+        to,
+        view: &view,
+        consistent,
+        n: &n,
+        has_direction: &has_direction,
+        q: &q,
+        r: r.as_ref(),
+    };
     let exponent = &inputs.span.exponent;
     finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light, exponent))
 }
@@ -74,9 +99,24 @@ fn least_contraction(parameters: &CoreParameters, curve: Curve) -> f64 {
     }
 }
 
+/// The direction of a way, and whether there is one.
+fn direction(
+    ways: &VectorWays,
+    name: &str,
+    way: &VectorWay<Sig>,
+    to: ExactNormalisation,
+) -> (Vector, Sig) {
+    let (b, vector) = (ways.forward.b, ways.way(name, way));
+    b.instance(&format!("{name}_normalise"), || units::normalise_exactly(b, &vector, to))
+}
+
 /// What the lights have in common.
 struct Pixel<'a> {
-    b: &'a Builder,
+    ways: &'a VectorWays<'a>,
+    /// Where directions are rounded.
+    to: ExactNormalisation,
+    /// V, and whether there is one.
+    view: &'a (Vector, Sig),
     consistent: &'a ConsistentSpec,
     n: &'a Vector,
     has_direction: &'a Sig,
@@ -87,19 +127,55 @@ struct Pixel<'a> {
 
 impl Pixel<'_> {
     fn shade(&self, index: usize, light: &ConsistentLight<Sig>, exponent: &Sig) -> Intensities {
-        let (b, f) = (self.b, &self.consistent.formats);
-        let called = |unit: &str| format!("light{index}_{unit}");
-        let direction = Vector::new(light.direction.clone());
-        let diffuse = || match self.consistent.diffuse {
-            Diffuse::Lambert => units::clamped_cosine(b, self.n, &direction, f.diffuse),
-            Diffuse::Consistent => self.consistent_cosine(&direction, f.diffuse),
-        };
-        let base = b.instance(&called("base"), || match (self.r, &light.halfway) {
-            (_, Some(halfway)) => self.consistent_cosine(&Vector::new(halfway.clone()), f.base),
-            (Some(r), None) => self.reflected_cosine(r, &direction),
-            (None, None) => {
-                unreachable!("`ConsistentSpec::light_inputs` has H where there is no r")
+        match (&light.way, &light.direction) {
+            (Some(way), _) => self.arriving(index, way, exponent),
+            (None, Some(direction)) => {
+                let halfway = light.halfway.clone().map(Vector::new);
+                let direction = Vector::new(direction.clone());
+                self.intensities(index, &direction, halfway.as_ref(), exponent)
             }
+            (None, None) => unreachable!("`ConsistentSpec` gives each light one of both"),
+        }
+    }
+
+    /// The intensities of a light whose way is followed.
+    fn arriving(&self, index: usize, light: &VectorLight<Sig>, exponent: &Sig) -> Intensities {
+        let called = |unit: &str| format!("light{index}_{unit}");
+        let (b, zero) = (self.ways.forward.b, self.ways.forward.b.integer(0));
+        let (view, is_seen) = self.view;
+        let (l, exists) = direction(self.ways, &called("way"), &light.way, self.to);
+        let halfway = (self.consistent.highlight == Highlight::Blinn).then(|| {
+            b.instance(&called("halfway_normalise"), || {
+                let half = units::half_sum(&l, view);
+                units::normalise_exactly(b, &half, self.to).0
+            })
+        });
+        let Intensities { diffuse, specular } =
+            self.intensities(index, &l, halfway.as_ref(), exponent);
+        let intensities = Intensities {
+            diffuse: exists.choose(&diffuse, &zero),
+            specular: exists.and(is_seen).choose(&specular, &zero),
+        };
+        self.ways.spotted(index, light, &l, intensities)
+    }
+
+    fn intensities(
+        &self,
+        index: usize,
+        direction: &Vector,
+        halfway: Option<&Vector>,
+        exponent: &Sig,
+    ) -> Intensities {
+        let (b, f) = (self.ways.forward.b, &self.consistent.formats);
+        let called = |unit: &str| format!("light{index}_{unit}");
+        let diffuse = || match self.consistent.diffuse {
+            Diffuse::Lambert => units::clamped_cosine(b, self.n, direction, f.diffuse),
+            Diffuse::Consistent => self.consistent_cosine(direction, f.diffuse),
+        };
+        let base = b.instance(&called("base"), || match (self.r, halfway) {
+            (_, Some(halfway)) => self.consistent_cosine(halfway, f.base),
+            (Some(r), None) => self.reflected_cosine(r, direction),
+            (None, None) => unreachable!("there is H where there is no r"),
         });
         let power = || units::raised(b, &base, exponent, self.consistent.power_unit());
         Intensities {
@@ -111,12 +187,17 @@ impl Pixel<'_> {
     /// N_c·I of any I.
     fn consistent_cosine(&self, incoming: &Vector, to: Format) -> Sig {
         let mirror = (self.n, self.q, self.has_direction);
-        units::consistent_cosine(self.b, mirror, incoming, (&self.consistent.formats, to))
+        units::consistent_cosine(
+            self.ways.forward.b,
+            mirror,
+            incoming,
+            (&self.consistent.formats, to),
+        )
     }
 
     /// r·L, kept within 0 to 1, and 0 where the normal has no direction.
     fn reflected_cosine(&self, r: &Vector, light: &Vector) -> Sig {
-        let (b, format) = (self.b, self.consistent.formats.base);
+        let (b, format) = (self.ways.forward.b, self.consistent.formats.base);
         let inputs = (("r", r), ("l", light), ("has_direction", self.has_direction));
         b.unit(
             "reflected_cosine",

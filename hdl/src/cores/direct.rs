@@ -1,10 +1,13 @@
 //! The core that evaluates fast Phong shading anew at every pixel.
-use specula_spec::direct::{DirectFormats, DirectInputs, DirectLight, DirectSpec, Root};
+use specula_spec::direct::{DirectFormats, DirectInputs, DirectLight, DirectSpec, Ends, Root};
 use specula_spec::{CoreParameters, Format, InputPort};
 
 use super::common::{Intensities, finish, squared_normal, time_slots};
+use super::forward::Forward;
+use super::ways::{Arrival, Ways, alike};
+use crate::error::cosine::InverseLength;
 use crate::error::direct::{Parameter, Product, normal_by_newton, unit_normal};
-use crate::units::{self, DirectedBase, QuotientFormat};
+use crate::units::{self, DirectedBase, KnownProduct, QuotientFormat, ReciprocalRoot};
 use specula_datapath::bound::Angular;
 use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::graph::Graph;
@@ -18,7 +21,8 @@ pub(super) fn core(
     ports: &DirectInputs<InputPort>,
 ) -> Result<Graph, BuildError> {
     let slots = time_slots(&b, parameters);
-    let inputs = ports.map(|port| b.input(port));
+    let mut inputs = ports.map(|port| b.input(port));
+    alike(&b, &slots, &mut inputs.lights, |light| light.way.as_mut().map(|to| &mut to.way));
     let formats = &direct.formats;
     let t = units::parameter(
         &b,
@@ -28,8 +32,20 @@ pub(super) fn core(
         parameters.longest_span - 1,
     );
     let q = squared_normal(units::squared_length(&b, &t, &inputs.span.spread, formats), parameters);
-    let view = [&inputs.span.view.start, &inputs.span.view.delta];
-    let view = b.instance("view", || units::direct_scalar(&b, &t, view, formats));
+    let forward = Forward { b: &b, first: &slots.first_pixel, steps: parameters.longest_span - 1 };
+    let ways = Ways::new(forward, parameters, direct.ways(), &slots);
+    let (view, eye) = match (&inputs.span.view, &inputs.span.eye) {
+        (_, Some(eye)) => {
+            let (view, length) = ways.eye(eye);
+            (view, Some(length))
+        }
+        (Some(view), None) => {
+            let ends = [&view.start, &view.delta];
+            (b.instance("view", || units::direct_scalar(&b, &t, ends, formats)), None)
+        }
+        (None, None) => unreachable!("`DirectSpec::span_inputs` gives one of both"),
+    };
+    let scalar = if eye.is_some() { Scalar::OfWay } else { Scalar::BetweenEnds };
     let length = length(
         &b,
         Squared {
@@ -38,11 +54,19 @@ pub(super) fn core(
             q: &q,
             spread: &inputs.span.spread,
             view: &view,
+            scalar,
         },
         direct,
     );
-    let pixel =
-        Pixel { b: &b, direct, t: &t, q: &q, length: &length, exponent: &inputs.span.exponent };
+    let pixel = Pixel {
+        ways: &ways,
+        eye: eye.as_ref(),
+        direct,
+        t: &t,
+        q: &q,
+        length: &length,
+        exponent: &inputs.span.exponent,
+    };
     finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light))
 }
 
@@ -55,6 +79,16 @@ struct Squared<'a> {
     spread: &'a Sig,
     /// N·V, not of the unit normal.
     view: &'a Sig,
+    scalar: Scalar,
+}
+
+/// What a scalar N·X is.
+#[derive(Clone, Copy)]
+enum Scalar {
+    /// Between those of the ends, for which much is proven.
+    BetweenEnds,
+    /// Over the length of a way, off by what it is off by.
+    OfWay,
 }
 
 /// What the length of N is divided out by.
@@ -63,6 +97,8 @@ struct Length {
     reciprocal: Sig,
     /// What is known of N times that.
     normal: Angular,
+    /// What is known of 1/√q.
+    proven: Option<InverseLength>,
     highlight: Highlight,
 }
 
@@ -71,29 +107,53 @@ enum Highlight {
     /// J and this K.
     OfCosines(Sig),
     /// p_L and this p_V/q, whose product is known so well.
-    OfQuotient(Sig, Option<Product>),
+    OfQuotient(Sig, KnownProduct),
 }
 
 /// What divides by the length of N, and what that makes of N·V.
 fn length(b: &Builder, of: Squared, direct: &DirectSpec) -> Length {
-    let Squared { first, t, q, spread, view } = of;
+    let Squared { first, t, q, spread, view, scalar } = of;
     let formats = &direct.formats;
     let parameter = Parameter::new(t.bound(), spread.bound());
     match direct.root {
         Root::Exact => {
             let reciprocal = units::reciprocal_square_root(b, q, formats.reciprocal.into());
             let normal = unit_normal(parameter, q.bound(), formats);
-            let k = b.instance("n_dot_v", || {
-                units::direct_cosine(b, view, &reciprocal, formats, normal)
-            });
-            Length { reciprocal, normal, highlight: Highlight::OfCosines(k) }
+            let least = ReciprocalRoot::from(formats.reciprocal).least_operand();
+            let proven = Some(InverseLength::new(q.bound(), least));
+            let mut length = Length {
+                reciprocal,
+                normal,
+                proven,
+                highlight: Highlight::OfCosines(view.clone()),
+            };
+            let k = b.instance("n_dot_v", || length.cosine(b, view, scalar, formats));
+            length.highlight = Highlight::OfCosines(k);
+            length
         }
         Root::Newton => {
             let reciprocal = reciprocal_length(b, first, q, formats, direct.newton_steps);
             let normal = normal_by_newton(parameter, q.bound(), formats, direct.newton_steps);
             let quotient = units::over_square(b, view, q, formats);
-            let known = Product::with_quotient(parameter, q.bound(), formats);
-            Length { reciprocal, normal, highlight: Highlight::OfQuotient(quotient, known) }
+            let known = match scalar {
+                Scalar::BetweenEnds => Product::with_quotient(parameter, q.bound(), formats).into(),
+                Scalar::OfWay => KnownProduct::Propagated,
+            };
+            let highlight = Highlight::OfQuotient(quotient, known);
+            Length { reciprocal, normal, proven: None, highlight }
+        }
+    }
+}
+
+impl Length {
+    /// A scalar over the length of N.
+    fn cosine(&self, b: &Builder, p: &Sig, scalar: Scalar, formats: &DirectFormats) -> Sig {
+        let s = &self.reciprocal;
+        match scalar {
+            Scalar::BetweenEnds => units::direct_cosine(b, p, s, formats, self.normal),
+            Scalar::OfWay => {
+                units::cosine_of_scalar(b, p, s, formats.cosine.fraction_bits, self.proven)
+            }
         }
     }
 }
@@ -113,7 +173,9 @@ fn reciprocal_length(
 
 /// What the lights have in common.
 struct Pixel<'a> {
-    b: &'a Builder,
+    ways: &'a Ways<'a>,
+    /// What divides by the way to an eye at a place.
+    eye: Option<&'a units::Length>,
     direct: &'a DirectSpec,
     t: &'a Sig,
     q: &'a Sig,
@@ -123,30 +185,64 @@ struct Pixel<'a> {
 
 impl Pixel<'_> {
     fn shade(&self, index: usize, light: &DirectLight<Sig>) -> Intensities {
-        let (b, formats, length) = (self.b, &self.direct.formats, self.length);
+        let (b, formats, length) = (self.ways.forward.b, &self.direct.formats, self.length);
         let called = |unit: &str| format!("light{index}_{unit}");
-        let ends = [&light.light.start, &light.light.delta];
-        let p = b.instance(&called("scalar"), || units::direct_scalar(b, self.t, ends, formats));
-        let j = b.instance(&called("n_dot_l"), || {
-            units::direct_cosine(b, &p, &length.reciprocal, formats, length.normal)
-        });
+        let (p, scalar, arrival) = self.scalar(index, light);
+        let j = b.instance(&called("n_dot_l"), || length.cosine(b, &p, scalar, formats));
+        let dot_view = match (&arrival, &light.light_dot_view) {
+            (Some(arrival), _) => &arrival.dot_view,
+            (None, Some(dot_view)) => dot_view,
+            (None, None) => unreachable!("lights without ways have L.V"),
+        };
         let bits = formats.base.fraction_bits;
-        let base =
-            b.instance(&called("base"), || units::directed_base(b, self.base(&p, &j, light), bits));
+        let base = b.instance(&called("base"), || {
+            units::directed_base(b, self.base((&p, &j), scalar, dot_view), bits)
+        });
         let power = || units::raised(b, &base, self.exponent, self.direct.power_unit());
-        Intensities {
+        let intensities = Intensities {
             diffuse: b.instance(&called("diffuse"), || {
                 units::clamp_unit(b, &j, formats.diffuse.fraction_bits)
             }),
             specular: b.instance(&called("power"), power),
+        };
+        match arrival {
+            Some(arrival) => arrival.spotted(intensities),
+            None => intensities,
         }
     }
 
-    fn base<'a>(&'a self, p: &'a Sig, j: &'a Sig, light: &'a DirectLight<Sig>) -> DirectedBase<'a> {
-        let (factors, known) = match &self.length.highlight {
-            Highlight::OfCosines(k) => ([j, k], Product::of_bounds([j.bound(), k.bound()])),
-            Highlight::OfQuotient(k, known) => ([p, k], *known),
+    /// N·L, not of the unit normal, and the way to the light if that is followed.
+    fn scalar(&self, index: usize, light: &DirectLight<Sig>) -> (Sig, Scalar, Option<Arrival>) {
+        let (b, formats) = (self.ways.forward.b, &self.direct.formats);
+        match (&light.light, &light.way) {
+            (_, Some(way)) => {
+                let (p, arrival) = self.ways.light(index, way, self.eye);
+                (p, Scalar::OfWay, Some(arrival))
+            }
+            (Some(Ends { start, delta }), None) => {
+                let p = b.instance(&format!("light{index}_scalar"), || {
+                    units::direct_scalar(b, self.t, [start, delta], formats)
+                });
+                (p, Scalar::BetweenEnds, None)
+            }
+            (None, None) => unreachable!("`DirectSpec::light_inputs` gives each light one of both"),
+        }
+    }
+
+    fn base<'a>(
+        &'a self,
+        (p, j): (&'a Sig, &'a Sig),
+        scalar: Scalar,
+        light_dot_view: &'a Sig,
+    ) -> DirectedBase<'a> {
+        let (factors, known) = match (&self.length.highlight, scalar) {
+            (Highlight::OfCosines(k), Scalar::BetweenEnds) => {
+                ([j, k], Product::of_bounds([j.bound(), k.bound()]).into())
+            }
+            (Highlight::OfCosines(k), Scalar::OfWay) => ([j, k], KnownProduct::Propagated),
+            (Highlight::OfQuotient(k, known), Scalar::BetweenEnds) => ([p, k], *known),
+            (Highlight::OfQuotient(k, _), Scalar::OfWay) => ([p, k], KnownProduct::Propagated),
         };
-        DirectedBase { factors, known, light_dot_view: &light.light_dot_view, q: self.q }
+        DirectedBase { factors, known, light_dot_view, q: self.q }
     }
 }

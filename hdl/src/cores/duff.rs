@@ -4,6 +4,7 @@ use specula_spec::{CoreParameters, InputPort};
 
 use super::common::{Intensities, finish, squared_normal, time_slots};
 use super::forward::Forward;
+use super::ways::{Arrival, Ways, alike};
 use crate::units::{self, Base, Length, QuotientFormat};
 use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::graph::Graph;
@@ -17,7 +18,8 @@ pub(super) fn core(
     ports: &DuffInputs<InputPort>,
 ) -> Result<Graph, BuildError> {
     let slots = time_slots(&b, parameters);
-    let inputs = ports.map(|port| b.input(port));
+    let mut inputs = ports.map(|port| b.input(port));
+    alike(&b, &slots, &mut inputs.lights, |light| light.way.as_mut().map(|to| &mut to.way));
     let f = &duff.formats;
     let forward = Forward { b: &b, first: &slots.first_pixel, steps: parameters.longest_span - 1 };
     let q = forward
@@ -25,17 +27,24 @@ pub(super) fn core(
         .named("q");
     let q = squared_normal(q, parameters);
     let length = b.instance("root", || units::root(&b, &q, f.root));
-    let view = inputs
-        .span
-        .view
-        .as_ref()
-        .map(|view| forward.linear("view", view, f.operand.fraction_bits).named("n_dot_v"));
-    let view_cosine = view.as_ref().filter(|_| duff.specular == Highlight::Eq34).map(|view| {
+    let ways = Ways::new(forward, parameters, duff.ways(), &slots);
+    let (view, eye) = match (&inputs.span.view, &inputs.span.eye) {
+        (_, Some(eye)) => {
+            let (view, length) = ways.eye(eye);
+            (Some(view), Some(length))
+        }
+        (Some(view), None) => (Some(forward.linear("view", view, f.operand.fraction_bits)), None),
+        (None, None) => (None, None),
+    };
+    let view = view.map(|view| view.named("n_dot_v"));
+    let of_unit = matches!(duff.specular, Highlight::Eq34 | Highlight::Blinn);
+    let view_cosine = view.as_ref().filter(|_| of_unit).map(|view| {
         b.instance("view_cosine", || units::cosine(&b, view, &length, f.cosine.fraction_bits))
     });
     let exponent = &inputs.span.exponent;
     let pixel = Pixel {
-        forward,
+        ways: &ways,
+        eye: eye.as_ref(),
         duff,
         length: &length,
         view: view.as_ref(),
@@ -47,7 +56,9 @@ pub(super) fn core(
 
 /// What the lights have in common.
 struct Pixel<'a> {
-    forward: Forward<'a>,
+    ways: &'a Ways<'a>,
+    /// What divides by the way to an eye at a place.
+    eye: Option<&'a Length>,
     duff: &'a DuffSpec,
     length: &'a Length,
     /// N·V, where the highlight asks for it.
@@ -57,79 +68,139 @@ struct Pixel<'a> {
     exponent: &'a Sig,
 }
 
+/// N·L of a light, that of the unit normal, and the way to the light if that is followed.
+struct Lit {
+    p: Sig,
+    cosine: Sig,
+    arrival: Option<Arrival>,
+}
+
 impl Pixel<'_> {
     fn shade(&self, index: usize, light: &DuffLight<Sig>) -> Intensities {
         let called = |unit: &str| format!("light{index}_{unit}");
-        let (b, f) = (self.forward.b, &self.duff.formats);
-        let p = self
-            .forward
-            .linear(&called("p"), &light.cosine, f.operand.fraction_bits)
-            .named(&called("p"));
-        let cosine = b.instance(&called("cosine"), || {
-            units::cosine(b, &p, self.length, f.cosine.fraction_bits)
-        });
-        let base = self.base(&called, light, (&p, &cosine));
+        let (b, f) = (self.ways.forward.b, &self.duff.formats);
+        let lit = self.lit(index, light);
+        let base = match &lit.arrival {
+            Some(arrival) => self.base_to_place(index, arrival, &lit),
+            None => self.base(&called, light, &lit),
+        };
         let power = || units::raised(b, &base, self.exponent, self.duff.power_unit());
-        Intensities {
+        let intensities = Intensities {
             diffuse: b.instance(&called("diffuse"), || {
-                units::clamp_nonnegative(b, &cosine, f.diffuse.fraction_bits)
+                units::clamp_nonnegative(b, &lit.cosine, f.diffuse.fraction_bits)
             }),
             specular: b.instance(&called("power"), power),
+        };
+        match &lit.arrival {
+            Some(arrival) => arrival.spotted(intensities),
+            None => intensities,
         }
     }
 
-    fn base(
-        &self,
-        called: &impl Fn(&str) -> String,
-        light: &DuffLight<Sig>,
-        (p, cosine): (&Sig, &Sig),
-    ) -> Sig {
-        let (b, f) = (self.forward.b, &self.duff.formats);
-        let given = "inputs are those that the highlight asks for";
-        let fraction_bits = f.base.fraction_bits;
-        let reflected = |c: &Sig, v: Option<&Sig>, product_error| {
-            let (v, dot_view) = (v.expect(given), light.dot_view.as_ref().expect(given));
-            let to = Base { fraction_bits, product_error };
-            b.instance(&called("base"), || {
-                units::reflected_base(b, (v, c), dot_view, &self.length.has_direction, to)
-            })
+    fn lit(&self, index: usize, light: &DuffLight<Sig>) -> Lit {
+        let called = |unit: &str| format!("light{index}_{unit}");
+        let (b, f, forward) = (self.ways.forward.b, &self.duff.formats, self.ways.forward);
+        let (p, arrival) = match (&light.cosine, &light.way) {
+            (_, Some(way)) => {
+                let (p, arrival) = self.ways.light(index, way, self.eye);
+                (p, Some(arrival))
+            }
+            (Some(cosine), None) => {
+                (forward.linear(&called("p"), cosine, f.operand.fraction_bits), None)
+            }
+            (None, None) => unreachable!("`DuffSpec::light_inputs` gives each light one of both"),
         };
+        let p = p.named(&called("p"));
+        let cosine = b.instance(&called("cosine"), || {
+            units::cosine(b, &p, self.length, f.cosine.fraction_bits)
+        });
+        Lit { p, cosine, arrival }
+    }
+
+    fn base(&self, called: &impl Fn(&str) -> String, light: &DuffLight<Sig>, lit: &Lit) -> Sig {
+        let (b, f, forward) = (self.ways.forward.b, &self.duff.formats, self.ways.forward);
+        let fraction_bits = f.base.fraction_bits;
         match self.duff.specular {
             Highlight::Blinn => {
-                let halfway = light.halfway.as_ref().expect(given);
-                let r = self
-                    .forward
-                    .linear(&called("halfway"), halfway, f.operand.fraction_bits)
+                let r = forward
+                    .linear(
+                        &called("halfway"),
+                        light.halfway.as_ref().expect(GIVEN),
+                        f.operand.fraction_bits,
+                    )
                     .named(&called("r"));
                 let cosine = || units::cosine(b, &r, self.length, f.cosine.fraction_bits);
                 let cosine = b.instance(&called("halfway_cosine"), cosine);
                 b.instance(&called("base"), || units::clamp_nonnegative(b, &cosine, fraction_bits))
             }
             Highlight::Quotient => {
-                let numerator = light.numerator.as_ref().expect(given);
-                let p = self.forward.quadratic(
+                let p = forward.quadratic(
                     &called("numerator"),
-                    numerator,
+                    light.numerator.as_ref().expect(GIVEN),
                     (-1.0, 1.0),
                     f.operand.fraction_bits,
                 );
                 let divider = || units::divider(b, &p, &self.length.squared, fraction_bits);
                 b.instance(&called("divider"), divider)
             }
-            Highlight::Eq33 => {
-                let to = QuotientFormat {
-                    integer_bits: f.root.integer_bits,
-                    fraction_bits: f.quotient.fraction_bits,
-                };
-                let quotient = || units::signed_quotient(b, p, &self.length.squared, to);
-                let error = self.length.proven.quotient_error(
-                    p.bound(),
-                    self.view.expect(given).bound(),
-                    f.quotient.ulp(),
-                );
-                reflected(&b.instance(&called("quotient"), quotient), self.view, error)
-            }
-            Highlight::Eq34 => reflected(cosine, self.view_cosine, f64::INFINITY),
+            Highlight::Eq33 => self.eq33(called, lit, light.dot_view.as_ref().expect(GIVEN)),
+            Highlight::Eq34 => self.eq34(called, lit, light.dot_view.as_ref().expect(GIVEN)),
         }
     }
+
+    /// The same of a light or for an eye at a place.
+    fn base_to_place(&self, index: usize, arrival: &Arrival, lit: &Lit) -> Sig {
+        let called = |unit: &str| format!("light{index}_{unit}");
+        let (b, fraction_bits) = (self.ways.forward.b, self.duff.formats.base.fraction_bits);
+        match self.duff.specular {
+            Highlight::Blinn => {
+                let cosines = [self.view_cosine.expect(GIVEN), &lit.cosine];
+                self.ways.halfway(index, cosines, arrival, self.eye)
+            }
+            Highlight::Quotient => {
+                let (q, view) = (&self.length.squared, self.view.expect(GIVEN));
+                let p =
+                    self.ways.reflected(&called("numerator"), [view, &lit.p], &arrival.dot_view, q);
+                b.instance(&called("divider"), || units::divider(b, &p, q, fraction_bits))
+            }
+            Highlight::Eq33 => self.eq33(&called, lit, &arrival.dot_view),
+            Highlight::Eq34 => self.eq34(&called, lit, &arrival.dot_view),
+        }
+    }
+
+    fn eq33(&self, called: &impl Fn(&str) -> String, lit: &Lit, dot_view: &Sig) -> Sig {
+        let (b, f) = (self.ways.forward.b, &self.duff.formats);
+        let view = self.view.expect(GIVEN);
+        let to = QuotientFormat {
+            integer_bits: f.root.integer_bits,
+            fraction_bits: f.quotient.fraction_bits,
+        };
+        let quotient = b.instance(&called("quotient"), || {
+            units::signed_quotient(b, &lit.p, &self.length.squared, to)
+        });
+        let error =
+            self.length.proven.quotient_error(lit.p.bound(), view.bound(), f.quotient.ulp());
+        self.reflected(called, [view, &quotient], dot_view, error)
+    }
+
+    fn eq34(&self, called: &impl Fn(&str) -> String, lit: &Lit, dot_view: &Sig) -> Sig {
+        let view = self.view_cosine.expect(GIVEN);
+        self.reflected(called, [view, &lit.cosine], dot_view, f64::INFINITY)
+    }
+
+    fn reflected(
+        &self,
+        called: &impl Fn(&str) -> String,
+        [view, cosine]: [&Sig; 2],
+        dot_view: &Sig,
+        product_error: f64,
+    ) -> Sig {
+        let b = self.ways.forward.b;
+        let to = Base { fraction_bits: self.duff.formats.base.fraction_bits, product_error };
+        b.instance(&called("base"), || {
+            units::reflected_base(b, (view, cosine), dot_view, &self.length.has_direction, to)
+        })
+    }
 }
+
+const GIVEN: &str = "inputs are those that the highlight asks for";

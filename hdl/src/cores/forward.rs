@@ -5,6 +5,7 @@ use crate::units::{self, Differences, Steps};
 use specula_datapath::builder::{Builder, Sig};
 
 /// A core's spans.
+#[derive(Clone, Copy)]
 pub(super) struct Forward<'a> {
     pub b: &'a Builder,
     /// 1 at the first pixel of a span.

@@ -1,10 +1,14 @@
 //! Lyon's core.
 use specula_spec::lyon::{
-    Difference, LyonFormats, LyonInputs, LyonLight, LyonSpan, LyonSpec, ShapeDatapath,
+    Difference, Halfway, LyonFormats, LyonInputs, LyonLight, LyonSpan, LyonSpec, ShapeDatapath,
 };
+use specula_spec::ways::{VectorLight, VectorWay};
 use specula_spec::{CoreParameters, InputPort, LightInputs};
 
 use super::common::{Intensities, SHORTEST_NORMAL, eye, finish, time_slots, unit_vector};
+use super::forward::Forward;
+use super::vector_ways::{VectorWays, alike};
+use super::ways::spots;
 use crate::error;
 use crate::units::{self, Follow, Interpolation, LengthError, SpanNormals, WrapFormats};
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
@@ -19,11 +23,26 @@ pub(super) fn core(
     ports: &LyonInputs<InputPort>,
 ) -> Result<Graph, BuildError> {
     let slots = time_slots(&b, parameters);
-    let inputs = ports.map(|port| b.input(port));
+    let mut inputs = ports.map(|port| b.input(port));
+    alike(&b, &slots, &mut inputs.lights, |light| light.way.as_mut());
     let (n, has_direction) = normal(&b, &slots.first_pixel, &inputs.span, parameters, lyon);
     let apart = if slots.count() == 1 { least_distance(&inputs.lights) } else { 0.0 };
+    let formats = &lyon.formats;
+    let ways = VectorWays {
+        forward: Forward { b: &b, first: &slots.first_pixel, steps: parameters.longest_span - 1 },
+        parameters,
+        vector: formats.vector,
+        base: formats.shape,
+        shape: formats.shape,
+        spots: spots(&b, parameters, &slots),
+    };
+    let view = match &inputs.span.eye {
+        Some(eye) => direction(&ways, lyon, "eye", eye),
+        None => (eye(&b), b.integer(1)),
+    };
     let pixel = Pixel {
-        b: &b,
+        ways: &ways,
+        view: &view,
         lyon,
         n: &n,
         has_direction: &has_direction,
@@ -88,9 +107,23 @@ fn normal(
     (n, has_direction)
 }
 
+/// A way brought near unit length as normals are, and whether it has a direction. [Lyon, TR 43, fig.
+/// 6]
+fn direction(
+    ways: &VectorWays,
+    lyon: &LyonSpec,
+    name: &str,
+    way: &VectorWay<Sig>,
+) -> (Vector, Sig) {
+    let (b, vector) = (ways.forward.b, ways.way(name, way));
+    b.instance(&format!("{name}_normalise"), || units::normalise(b, &vector, lyon))
+}
+
 /// What the lights have in common.
 struct Pixel<'a> {
-    b: &'a Builder,
+    ways: &'a VectorWays<'a>,
+    /// V, and whether there is one.
+    view: &'a (Vector, Sig),
     lyon: &'a LyonSpec,
     n: &'a Vector,
     has_direction: &'a Sig,
@@ -102,7 +135,9 @@ struct Pixel<'a> {
 /// How far the directions of two lights are apart at least, in the ranges that the core is made
 /// for.
 fn least_distance(lights: &[LightInputs<LyonLight<Sig>, Sig>]) -> f64 {
-    let distance = |a: &[Sig; 3], b: &[Sig; 3]| {
+    // Nothing is known of directions to places.
+    let distance = |a: &Option<[Sig; 3]>, b: &Option<[Sig; 3]>| {
+        let (Some(a), Some(b)) = (a, b) else { return 0.0 };
         let gap = |(a, b): (&Sig, &Sig)| {
             let (a, b, ulp) = (a.range(), b.range(), a.ulp());
             (a.low - b.high).max(b.low - a.high).max(0) as f64 * ulp
@@ -120,10 +155,56 @@ fn least_distance(lights: &[LightInputs<LyonLight<Sig>, Sig>]) -> f64 {
 
 impl Pixel<'_> {
     fn shade(&self, index: usize, light: &LyonLight<Sig>) -> Intensities {
-        let (b, formats) = (self.b, &self.lyon.formats);
+        let (b, formats) = (self.ways.forward.b, &self.lyon.formats);
+        match (&light.way, &light.direction) {
+            (Some(way), _) => self.arriving(index, way),
+            (None, Some(direction)) => {
+                let halfway = light.halfway.clone().map(|halfway| self.given_halfway(halfway));
+                let l = unit_vector(direction, formats.vector);
+                let d = b.instance(&format!("light{index}_difference"), || {
+                    self.difference(&l, halfway.as_ref())
+                });
+                self.intensities(index, &Vector::new(direction.clone()), d)
+            }
+            (None, None) => unreachable!("`LyonSpec::light_inputs` gives each light one of both"),
+        }
+    }
+
+    /// The intensities of a light whose way is followed.
+    fn arriving(&self, index: usize, light: &VectorLight<Sig>) -> Intensities {
         let called = |unit: &str| format!("light{index}_{unit}");
-        let direction = Vector::new(light.direction.clone());
-        let (d, length_error) = b.instance(&called("difference"), || self.difference(light));
+        let b = self.ways.forward.b;
+        let (view, is_seen) = self.view;
+        let (l, exists) = direction(self.ways, self.lyon, &called("way"), &light.way);
+        let halfway = match (self.lyon.difference, self.lyon.halfway) {
+            (difference, _) if difference.takes_halfway() => Some(&l + view),
+            (difference, halfway) if difference.takes_unit_halfway() => {
+                let half = units::half_sum(&l, view);
+                Some(b.instance(&called("halfway_normalise"), || match halfway {
+                    Halfway::Half => half.clone(),
+                    Halfway::Unit => {
+                        units::normalise_exactly(b, &half, (&self.lyon.formats).into()).0
+                    }
+                    Halfway::HalfG2 => units::normalise(b, &half, &self.lyon.with_g2()).0,
+                }))
+            }
+            _ => None,
+        };
+        let d = b.instance(&called("difference"), || self.difference(&l, halfway.as_ref()));
+        let Intensities { diffuse, specular } = self.intensities(index, &l, d);
+        let is_lit = exists.and(is_seen);
+        let specular = is_lit.choose(&specular, &b.integer(0));
+        self.ways.spotted(index, light, &l, Intensities { diffuse, specular })
+    }
+
+    fn intensities(
+        &self,
+        index: usize,
+        direction: &Vector,
+        (d, length_error): (Vector, LengthError),
+    ) -> Intensities {
+        let (b, formats) = (self.ways.forward.b, &self.lyon.formats);
+        let called = |unit: &str| format!("light{index}_{unit}");
         let shape = || match self.lyon.shape {
             ShapeDatapath::FK => {
                 let f = units::shape(
@@ -141,13 +222,20 @@ impl Pixel<'_> {
         };
         Intensities {
             diffuse: b
-                .instance(&called("diffuse"), || units::diffuse(b, self.n, &direction, formats)),
+                .instance(&called("diffuse"), || units::diffuse(b, self.n, direction, formats)),
             specular: b.instance(&called("shape"), shape),
         }
     }
-}
 
-impl Pixel<'_> {
+    /// A half-way vector that the host sends.
+    ///
+    /// g2 makes h longer than 1 by 0.00176 at most (methods B9), and rounding any by √3/2 units of
+    /// the last place.
+    fn given_halfway(&self, halfway: [Sig; 3]) -> Vector {
+        let longest = if self.lyon.difference.takes_unit_halfway() { 1.002 } else { 2.0 };
+        Vector::new(halfway).no_longer_than(longest + self.lyon.formats.vector.ulp())
+    }
+
     /// Says of f that no two lights are near the middle of their highlights at once, which is proven
     /// of reflections.
     fn alone(&self, f: Sig, d: &Vector, length_error: LengthError) -> Sig {
@@ -162,25 +250,19 @@ impl Pixel<'_> {
     }
 
     /// D, and how far its length is off.
-    fn difference(&self, light: &LyonLight<Sig>) -> (Vector, LengthError) {
-        let (b, n, formats) = (self.b, self.n, &self.lyon.formats);
-        let direction = unit_vector(&light.direction, formats.vector);
-        let Some(halfway) = light.halfway.clone().map(Vector::new) else {
+    fn difference(&self, l: &Vector, halfway: Option<&Vector>) -> (Vector, LengthError) {
+        let (b, n, formats) = (self.ways.forward.b, self.n, &self.lyon.formats);
+        let view = &self.view.0;
+        let Some(h) = halfway else {
             return match self.lyon.difference {
-                Difference::LightReflection => {
-                    units::light_reflection(b, n, &direction, &eye(b), formats)
-                }
-                _ => units::reflection_minus_light(b, n, &eye(b), &direction, formats),
+                Difference::LightReflection => units::light_reflection(b, n, l, view, formats),
+                _ => units::reflection_minus_light(b, n, view, l, formats),
             };
         };
-        // g2 makes h longer than 1 by 0.00176 at most (methods B9), and rounding any by √3/2 units
-        // of the last place.
-        let longest = if self.lyon.difference.takes_unit_halfway() { 1.002 } else { 2.0 };
-        let h = halfway.no_longer_than(longest + formats.vector.ulp());
         let d = match self.lyon.difference {
-            Difference::HalfwayCrossNormal => units::halfway_cross_normal(b, &h, n, formats),
-            Difference::UnitHalfwayMinusNormal => units::halfway_minus_normal(b, &h, n, formats),
-            _ => units::halfway_projection(b, &h, n, formats),
+            Difference::HalfwayCrossNormal => units::halfway_cross_normal(b, h, n, formats),
+            Difference::UnitHalfwayMinusNormal => units::halfway_minus_normal(b, h, n, formats),
+            _ => units::halfway_projection(b, h, n, formats),
         };
         let length_error = LengthError::whole(d.bound().error.length);
         (d, length_error)

@@ -11,6 +11,8 @@ mod lyon;
 mod phong;
 mod reflection;
 mod slerp;
+mod vector_ways;
+mod ways;
 
 use specula_spec::{CoreSpec, MethodSpec};
 

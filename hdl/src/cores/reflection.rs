@@ -1,13 +1,14 @@
 //! The core of Hast's reflection shading.
 use specula_spec::reflection::{
-    Bisector, Highlight, ReflectionInputs, ReflectionLight, ReflectionSpec,
+    Bisector, Highlight, ReflectedLight, ReflectionInputs, ReflectionLight, ReflectionSpec,
 };
-use specula_spec::{CoreParameters, InputPort, Quadratic};
+use specula_spec::{CoreParameters, InputPort, Linear, Quadratic};
 
 use super::common::{Intensities, finish, squared_normal, time_slots};
 use super::forward::Forward;
+use super::ways::{Ways, alike};
 use crate::error;
-use crate::units::{self, Base, QuotientFormat};
+use crate::units::{self, Base, Length, QuotientFormat};
 use specula_datapath::bound::Interval;
 use specula_datapath::builder::{BuildError, Builder, Sig};
 use specula_datapath::graph::Graph;
@@ -38,7 +39,8 @@ pub(super) fn core(
     ports: &ReflectionInputs<InputPort>,
 ) -> Result<Graph, BuildError> {
     let slots = time_slots(&b, parameters);
-    let inputs = ports.map(|port| b.input(port));
+    let mut inputs = ports.map(|port| b.input(port));
+    alike(&b, &slots, &mut inputs.lights, |light| light.way.as_mut().map(|to| &mut to.way));
     let f = &reflection.formats;
     let forward = Forward { b: &b, first: &slots.first_pixel, steps: parameters.longest_span - 1 };
     let q = forward
@@ -56,8 +58,14 @@ pub(super) fn core(
         .named("has_direction")
         .override_error("error::cosine::direction_error", unsure);
     let exponent = &inputs.span.exponent;
+    let ways = Ways::new(forward, parameters, reflection.ways(), &slots);
+    let linear =
+        |name: &str, linear: Option<&Linear<Sig>>| linear.map(|linear| ways.linear(name, linear));
     let mut pixel = Pixel {
-        forward,
+        ways: &ways,
+        h_dot_n: linear("h_dot_n", inputs.span.h_dot_n.as_ref()),
+        normal_view: linear("normal_view", inputs.span.normal_view.as_ref()),
+        eye: None,
         reflection,
         q,
         reciprocal,
@@ -67,9 +75,17 @@ pub(super) fn core(
         exponent,
     };
     pixel.view = inputs.span.view.as_ref().map(|view| pixel.cosine("view", view));
+    if let Some(eye) = &inputs.span.eye {
+        let length = ways.length("eye", &eye.squared);
+        pixel.view = Some(pixel.of_way("view", (&eye.bisecting, &eye.fixed), &length));
+        pixel.normal_view = eye.normal.as_ref().map(|normal| {
+            let normal = ways.quadratic("eye_normal", normal);
+            ways.cosine("normal_view_cosine", &normal, &length)
+        });
+        pixel.eye = Some(length);
+    }
     let normal_squared = |square| {
-        let squared = pixel
-            .forward
+        let squared = forward
             .quadratic("normal_squared", square, (0.0, 1.0), f.operand.fraction_bits)
             .named("normal_squared");
         squared_normal(squared, parameters)
@@ -80,7 +96,13 @@ pub(super) fn core(
 
 /// What the lights have in common.
 struct Pixel<'a> {
-    forward: Forward<'a>,
+    ways: &'a Ways<'a>,
+    /// H·n, with ways to places.
+    h_dot_n: Option<Sig>,
+    /// N·V, with ways to places where the highlight asks for it.
+    normal_view: Option<Sig>,
+    /// What divides by the way to an eye at a place.
+    eye: Option<Length>,
     reflection: &'a ReflectionSpec,
     q: Sig,
     /// 1/q.
@@ -95,35 +117,106 @@ struct Pixel<'a> {
 
 impl Pixel<'_> {
     fn operand(&self, instance: &str, numerator: &Quadratic<Sig>) -> Sig {
-        self.forward.quadratic(
-            instance,
-            numerator,
-            (-1.0, 1.0),
-            self.reflection.formats.operand.fraction_bits,
-        )
+        self.ways.quadratic(instance, numerator)
     }
 
     /// N'·u, of its numerator.
     fn cosine(&self, called: &str, numerator: &Quadratic<Sig>) -> Sig {
         let p = self.operand(&format!("{called}_numerator"), numerator);
-        let (b, fraction_bits) = (self.forward.b, self.reflection.formats.cosine.fraction_bits);
+        let fraction_bits = self.reflection.formats.cosine.fraction_bits;
+        self.over_square(&format!("{called}_cosine"), &p, fraction_bits)
+    }
+
+    /// P/q.
+    fn over_square(&self, instance: &str, p: &Sig, fraction_bits: u32) -> Sig {
+        let b = self.ways.forward.b;
+        b.instance(instance, || {
+            units::cosine_by_reciprocal(b, p, &self.q, &self.reciprocal, fraction_bits)
+        })
+    }
+
+    /// N'·X over the length of a way X, of H·X and n·X.
+    fn of_way(
+        &self,
+        called: &str,
+        (bisecting, fixed): (&Quadratic<Sig>, &Linear<Sig>),
+        length: &Length,
+    ) -> Sig {
+        let (ways, f) = (self.ways, &self.reflection.formats);
+        let h_dot_n = self.h_dot_n.as_ref().expect("ways come with H.n");
+        let h = ways.quadratic(&format!("{called}_bisecting"), bisecting);
+        let n = ways.linear(&format!("{called}_fixed"), fixed);
+        let p = ways.reflected(&format!("{called}_numerator"), [&h, h_dot_n], &n, &self.q);
+        let along = self.over_square(&format!("{called}_along"), &p, f.operand.fraction_bits);
+        let b = ways.forward.b;
         b.instance(&format!("{called}_cosine"), || {
-            units::cosine_by_reciprocal(b, &p, &self.q, &self.reciprocal, fraction_bits)
+            units::cosine(b, &along, length, f.cosine.fraction_bits)
         })
     }
 
     fn shade(&self, index: usize, light: &ReflectionLight<Sig>) -> Intensities {
         let called = |unit: &str| format!("light{index}_{unit}");
-        let (b, f) = (self.forward.b, &self.reflection.formats);
-        let cosine = self.cosine(&format!("light{index}"), &light.cosine);
-        let base = self.base(&called, light, &cosine);
-        let power = || units::raised(b, &base, self.exponent, self.reflection.power_unit());
+        match (&light.cosine, &light.way) {
+            (_, Some(way)) => self.arriving(index, way),
+            (Some(cosine), None) => {
+                let cosine = self.cosine(&format!("light{index}"), cosine);
+                let base = self.base(&called, light, &cosine);
+                self.intensities(&called, &cosine, &base)
+            }
+            (None, None) => unreachable!("`ReflectionSpec` gives each light one of both"),
+        }
+    }
+
+    /// The intensities of a light whose way is followed.
+    fn arriving(&self, index: usize, way: &ReflectedLight<Sig>) -> Intensities {
+        let called = |unit: &str| format!("light{index}_{unit}");
+        let (b, ways) = (self.ways.forward.b, self.ways);
+        let fraction_bits = self.reflection.formats.base.fraction_bits;
+        let arrival = ways.arrival(index, &way.way, self.eye.as_ref());
+        let cosine = self.of_way(&called("way"), (&way.bisecting, &way.fixed), &arrival.length);
+        let base = match (self.reflection.specular, &way.normal) {
+            (Highlight::Blinn, _) => {
+                let cosines = [self.view.as_ref().expect(GIVEN), &cosine];
+                ways.halfway(index, cosines, &arrival, self.eye.as_ref())
+            }
+            (Highlight::Hybrid, Some(normal)) => {
+                let normal = ways.quadratic(&called("way_normal"), normal);
+                let l = ways.cosine(&called("normal_light"), &normal, &arrival.length);
+                let (v, q) = (
+                    self.normal_view.as_ref().expect(GIVEN),
+                    self.normal_squared.as_ref().expect(GIVEN),
+                );
+                let p = ways.reflected(&called("hybrid_numerator"), [v, &l], &arrival.dot_view, q);
+                b.instance(&called("divider"), || units::divider(b, &p, q, fraction_bits))
+            }
+            _ => self.eq34(&called, &cosine, &arrival.dot_view),
+        };
+        arrival.spotted(self.intensities(&called, &cosine, &base))
+    }
+
+    fn intensities(
+        &self,
+        called: &impl Fn(&str) -> String,
+        cosine: &Sig,
+        base: &Sig,
+    ) -> Intensities {
+        let (b, f) = (self.ways.forward.b, &self.reflection.formats);
+        let power = || units::raised(b, base, self.exponent, self.reflection.power_unit());
         Intensities {
             diffuse: b.instance(&called("diffuse"), || {
-                units::clamp_nonnegative(b, &cosine, f.diffuse.fraction_bits)
+                units::clamp_nonnegative(b, cosine, f.diffuse.fraction_bits)
             }),
             specular: b.instance(&called("power"), power),
         }
+    }
+
+    fn eq34(&self, called: &impl Fn(&str) -> String, cosine: &Sig, dot_view: &Sig) -> Sig {
+        let (b, v) = (self.ways.forward.b, self.view.as_ref().expect(GIVEN));
+        let fraction_bits = self.reflection.formats.base.fraction_bits;
+        let to = Base { fraction_bits, product_error: f64::INFINITY };
+        b.instance(&called("base"), || {
+            units::reflected_base(b, (v, cosine), dot_view, &self.has_direction, to)
+        })
     }
 
     fn base(
@@ -132,30 +225,25 @@ impl Pixel<'_> {
         light: &ReflectionLight<Sig>,
         cosine: &Sig,
     ) -> Sig {
-        let (b, fraction_bits) = (self.forward.b, self.reflection.formats.base.fraction_bits);
-        let given = "inputs are those that the highlight asks for";
+        let b = self.ways.forward.b;
+        let fraction_bits = self.reflection.formats.base.fraction_bits;
         match self.reflection.specular {
             Highlight::Blinn => {
-                let cosine = self.cosine(&called("halfway"), light.halfway.as_ref().expect(given));
+                let cosine = self.cosine(&called("halfway"), light.halfway.as_ref().expect(GIVEN));
                 b.instance(&called("base"), || units::clamp_nonnegative(b, &cosine, fraction_bits))
             }
             Highlight::Hybrid => {
                 let p = self
-                    .operand(&called("hybrid_numerator"), light.numerator.as_ref().expect(given));
-                let q = self.normal_squared.as_ref().expect(given);
+                    .operand(&called("hybrid_numerator"), light.numerator.as_ref().expect(GIVEN));
+                let q = self.normal_squared.as_ref().expect(GIVEN);
                 b.instance(&called("divider"), || units::divider(b, &p, q, fraction_bits))
             }
-            Highlight::Eq34 => {
-                let (v, dot_view) =
-                    (self.view.as_ref().expect(given), light.dot_view.as_ref().expect(given));
-                let to = Base { fraction_bits, product_error: f64::INFINITY };
-                b.instance(&called("base"), || {
-                    units::reflected_base(b, (v, cosine), dot_view, &self.has_direction, to)
-                })
-            }
+            Highlight::Eq34 => self.eq34(called, cosine, light.dot_view.as_ref().expect(GIVEN)),
         }
     }
 }
+
+const GIVEN: &str = "inputs are those that the highlight asks for";
 
 #[cfg(test)]
 mod tests {

@@ -1,13 +1,17 @@
 //! The core of spherical interpolation.
 use specula_spec::slerp::{
-    Basis, OnArc, SlerpFormats, SlerpInputs, SlerpLight, SlerpSpan, SlerpSpec,
+    Basis, LightAlongArc, OnArc, SlerpFormats, SlerpInputs, SlerpLight, SlerpSpan, SlerpSpec,
+    WayAlongArc,
 };
-use specula_spec::{CoreParameters, InputPort};
+use specula_spec::ways::VectorWay;
+use specula_spec::{CoreParameters, InputPort, Linear};
 
-use super::common::{Intensities, eye, finish, time_slots, unit_vector};
+use super::common::{Intensities, eye as infinite_eye, finish, time_slots, unit_vector};
+use super::forward::Forward;
+use super::ways::{Ways, alike};
 use crate::error;
 use crate::error::turned_normal::Weighing;
-use crate::units::{self, Turn};
+use crate::units::{self, Length, Turn};
 use specula_datapath::bound::Angular;
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
 use specula_datapath::graph::Graph;
@@ -21,7 +25,8 @@ pub(super) fn core(
     ports: &SlerpInputs<InputPort>,
 ) -> Result<Graph, BuildError> {
     let slots = time_slots(&b, parameters);
-    let inputs = ports.map(|port| b.input(port));
+    let mut inputs = ports.map(|port| b.input(port));
+    alike(&b, &slots, &mut inputs.lights, |light| light.way.as_mut().map(|to| &mut to.way));
     let (formats, steps) = (&slerp.formats, parameters.longest_span - 1);
     let [u, v] = weights(&b, &slots.first_pixel, &inputs.span, slerp, steps);
     let weights = [&u, &v];
@@ -34,20 +39,30 @@ pub(super) fn core(
             [&axes.start, &axes.other].map(|axis| unit_vector(axis, formats.vector));
         units::turned_normal(&b, weights, [&start, &other], formats, known)
     });
-    let n_dot_v = match &normal {
-        Some(n) => b.instance("n_dot_v", || {
-            units::cosine_between(&b, n, &eye(&b), formats.cosine.fraction_bits)
-        }),
-        None => {
-            let n_dot_v = b.instance("n_dot_v", || {
-                on_arc(&b, weights, inputs.span.view.as_ref(), formats, steps)
-            });
-            units::corrected(&b, &n_dot_v, weights, formats, steps)
+    let forward = Forward { b: &b, first: &slots.first_pixel, steps };
+    let ways = Ways::new(forward, parameters, slerp.ways(), &slots);
+    let eye = inputs.span.eye.as_ref().map(|eye| ways.length("eye", &eye.squared));
+    let to_eye = inputs.span.eye.as_ref().zip(eye.as_ref());
+    let n_dot_v = match (to_eye, &normal) {
+        (Some((to, length)), _) => {
+            let along = along_way(&ways, "eye", &to.normal, (normal.as_ref(), weights));
+            ways.cosine("n_dot_v", &along, length)
         }
+        (None, Some(n)) => b.instance("n_dot_v", || {
+            units::cosine_between(&b, n, &infinite_eye(&b), formats.cosine.fraction_bits)
+        }),
+        (None, None) => {
+            b.instance("n_dot_v", || on_arc(&b, weights, inputs.span.view.as_ref(), formats, steps))
+        }
+    };
+    let n_dot_v = match normal {
+        Some(_) => n_dot_v,
+        None => units::corrected(&b, &n_dot_v, weights, formats, steps),
     };
     let base = error::turned::base(formats, steps, parameters.shortest_normal);
     let pixel = Pixel {
-        b: &b,
+        ways: &ways,
+        eye: eye.as_ref(),
         parameters,
         slerp,
         weights,
@@ -97,9 +112,41 @@ fn on_arc(
     units::along_arc(b, weights, [start, across], formats, steps)
 }
 
+/// N·X of a way X, as an operand: of its scalars, or of the way itself where there is a normal.
+fn along_way(
+    ways: &Ways,
+    name: &str,
+    way: &WayAlongArc<Sig>,
+    (normal, weights): (Option<&Vector>, [&Sig; 2]),
+) -> Sig {
+    let b = ways.forward.b;
+    let linear = |part: &str, linear: Option<&Linear<Sig>>| {
+        linear.map_or_else(|| b.integer(0), |linear| ways.linear(&format!("{name}_{part}"), linear))
+    };
+    let bits = ways.formats.operand.fraction_bits;
+    match (normal, &way.vector) {
+        (Some(normal), Some(VectorWay { x, y, z })) => {
+            let way = [("x", x), ("y", y), ("z", z)]
+                .map(|(part, component)| linear(part, Some(component)));
+            b.instance(&format!("{name}_normal"), || {
+                units::product_with_way(b, normal, &Vector::new(way), bits)
+            })
+        }
+        _ => {
+            let scalars =
+                [linear("start", way.start.as_ref()), linear("across", way.across.as_ref())];
+            b.instance(&format!("{name}_normal"), || {
+                units::way_along_arc(b, weights, scalars.each_ref(), bits)
+            })
+        }
+    }
+}
+
 /// What the lights have in common.
 struct Pixel<'a> {
-    b: &'a Builder,
+    ways: &'a Ways<'a>,
+    /// What divides by the way to an eye at a place.
+    eye: Option<&'a Length>,
     parameters: &'a CoreParameters,
     slerp: &'a SlerpSpec,
     weights: [&'a Sig; 2],
@@ -113,21 +160,52 @@ struct Pixel<'a> {
 
 impl Pixel<'_> {
     fn shade(&self, index: usize, light: &SlerpLight<Sig>) -> Intensities {
-        let (b, formats) = (self.b, &self.slerp.formats);
         let called = |unit: &str| format!("light{index}_{unit}");
-        let n_dot_l = b.instance(&called("n_dot_l"), || self.n_dot_l(light));
-        let base = b.instance(&called("base"), || self.base(&n_dot_l, light));
-        let power = || units::raised(b, &base, self.exponent, self.slerp.power_unit());
+        match (&light.way, &light.light_dot_view) {
+            (Some(light), _) => self.arriving(index, light),
+            (None, Some(dot_view)) => {
+                let b = self.ways.forward.b;
+                let n_dot_l = b.instance(&called("n_dot_l"), || self.n_dot_l(light));
+                let base = b.instance(&called("base"), || self.base(&n_dot_l, dot_view));
+                self.intensities(&called, &n_dot_l, &base)
+            }
+            (None, None) => unreachable!("`SlerpSpec::light_inputs` gives each light one of both"),
+        }
+    }
+
+    /// The intensities of a light whose way is followed.
+    fn arriving(&self, index: usize, light: &LightAlongArc<Sig>) -> Intensities {
+        let called = |unit: &str| format!("light{index}_{unit}");
+        let (b, ways) = (self.ways.forward.b, self.ways);
+        let arrival = ways.arrival(index, &light.way, self.eye);
+        let normal = (self.normal, self.weights);
+        let along = along_way(ways, &called("way"), &light.normal, normal);
+        let n_dot_l = ways.cosine(&called("n_dot_l"), &along, &arrival.length);
+        let bits = self.slerp.formats.base.fraction_bits;
+        let base = b.instance(&called("base"), || {
+            units::reflected_cosine(b, self.n_dot_v, &n_dot_l, &arrival.dot_view, bits)
+        });
+        arrival.spotted(self.intensities(&called, &n_dot_l, &base))
+    }
+
+    fn intensities(
+        &self,
+        called: &impl Fn(&str) -> String,
+        n_dot_l: &Sig,
+        base: &Sig,
+    ) -> Intensities {
+        let (b, formats) = (self.ways.forward.b, &self.slerp.formats);
+        let power = || units::raised(b, base, self.exponent, self.slerp.power_unit());
         Intensities {
             diffuse: b.instance(&called("diffuse"), || {
-                units::clamp_unit(b, &n_dot_l, formats.diffuse.fraction_bits)
+                units::clamp_unit(b, n_dot_l, formats.diffuse.fraction_bits)
             }),
             specular: b.instance(&called("power"), power),
         }
     }
 
     fn n_dot_l(&self, light: &SlerpLight<Sig>) -> Sig {
-        let (b, formats) = (self.b, &self.slerp.formats);
+        let (b, formats) = (self.ways.forward.b, &self.slerp.formats);
         match (self.normal, &light.direction) {
             (Some(n), Some(direction)) => units::cosine_between(
                 b,
@@ -145,24 +223,19 @@ impl Pixel<'_> {
         }
     }
 
-    fn base(&self, n_dot_l: &Sig, light: &SlerpLight<Sig>) -> Sig {
-        let (b, formats) = (self.b, &self.slerp.formats);
+    fn base(&self, n_dot_l: &Sig, light_dot_view: &Sig) -> Sig {
+        let (b, formats) = (self.ways.forward.b, &self.slerp.formats);
         match self.normal {
             Some(_) => units::reflected_cosine(
                 b,
                 self.n_dot_v,
                 n_dot_l,
-                &light.light_dot_view,
+                light_dot_view,
                 formats.base.fraction_bits,
             ),
-            None => units::specular_base(
-                b,
-                n_dot_l,
-                self.n_dot_v,
-                &light.light_dot_view,
-                self.base,
-                formats,
-            ),
+            None => {
+                units::specular_base(b, n_dot_l, self.n_dot_v, light_dot_view, self.base, formats)
+            }
         }
     }
 }

@@ -1,11 +1,12 @@
 //! Cosines to a normal of any length, and the base of the highlight from them.
 use specula_spec::Format;
 
-use super::clamp::to_cosine;
+use super::clamp::{to_cosine, to_unit_interval};
 use super::reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
 use super::reflected::{Direction, Reflected, UnitBound, reflected};
 use crate::error;
 use crate::error::cosine::InverseLength;
+use specula_datapath::bound::Interval;
 use specula_datapath::builder::{Builder, Sig};
 
 /// What divides by the length of a normal: its square q, and s = 1/√q.
@@ -49,6 +50,36 @@ pub fn cosine(b: &Builder, p: &Sig, length: &Length, fraction_bits: u32) -> Sig 
         (("p", p), ("s", &length.root)),
         |_, (p, s)| to_cosine(&(p * s).override_error(COSINE, error), fraction_bits),
     )
+}
+
+/// c = u·N s as [`cosine`], clamped to [0, 1].
+pub fn positive_cosine(b: &Builder, p: &Sig, length: &Length, fraction_bits: u32) -> Sig {
+    let error = length.proven.cosine_error(p.bound(), length.root.bound());
+    b.unit(
+        "positive_cosine",
+        "c = p s, clamped to [0, 1] [Hast et al., eq. 8]",
+        (("p", p), ("s", &length.root)),
+        |_, (p, s)| to_unit_interval(&(p * s).override_error(COSINE, error), fraction_bits),
+    )
+}
+
+/// P = 2 x y - d q of the products x and y of a vector with two others, their product d, and its
+/// square q: one of them reflected about the vector, times the other and q, so no larger than q.
+/// [Hast et al., eq. 10 and 17]
+pub fn reflected_numerator(
+    b: &Builder,
+    [x, y]: [&Sig; 2],
+    d: &Sig,
+    q: &Sig,
+    fraction_bits: u32,
+) -> Sig {
+    let inputs = (("x", x), ("y", y), ("d", d), ("q", q));
+    b.unit("numerator", "P = 2 x y - d q [Hast et al., eq. 10, 17]", inputs, |_, (x, y, d, q)| {
+        ((x * y).doubled() - d * q)
+            .real_within(Interval::new(-1.0, 1.0), "a reflection stretches nothing, and q <= 1")
+            .rounded(fraction_bits)
+            .named("numerator")
+    })
 }
 
 /// c = P w, rounded and clamped to [-1, 1], of a numerator P no larger than q and w = 1/q.

@@ -5,6 +5,7 @@ use specula_spec::direct::DirectFormats;
 use super::clamp::to_cosine;
 use super::divider::{QuotientFormat, quotient};
 use super::reflected::{Direction, Reflected, UnitBound, reflected};
+use crate::error::cosine::InverseLength;
 use crate::error::direct::{self, Product, Square};
 use crate::error::interpolate::{overshoot, slack};
 use specula_datapath::bound::Angular;
@@ -98,6 +99,29 @@ pub fn direct_cosine(
     })
 }
 
+/// p s with s = 1/√q as [`direct_cosine`], of a p that is off by more than N is. [lecture, eq. 4.3]
+///
+/// # Error
+/// What is `proven` of an s that is correctly rounded, else what is propagated.
+pub fn cosine_of_scalar(
+    b: &Builder,
+    p: &Sig,
+    s: &Sig,
+    fraction_bits: u32,
+    proven: Option<InverseLength>,
+) -> Sig {
+    b.unit("cosine", "c = p/sqrt(q) [lecture, eq. 4.3]", (("p", p), ("s", s)), |_, (p, s)| {
+        let product = &p * &s;
+        let product = match proven.map(|proven| proven.cosine_error(p.bound(), s.bound())) {
+            Some(error) => {
+                product.override_error("error::cosine::InverseLength::cosine_error", error)
+            }
+            None => product,
+        };
+        to_cosine(&product, fraction_bits)
+    })
+}
+
 /// p/q, which with another p makes p p/q of any length of N: |p/q| ≤ 1/√q ≤ 2^m. [lecture, eq. 4.5]
 pub fn over_square(b: &Builder, p: &Sig, q: &Sig, formats: &DirectFormats) -> Sig {
     b.unit("over_square", "k = p/q [lecture, eq. 4.5]", (("p", p), ("q", q)), |b, (p, q)| {
@@ -124,11 +148,28 @@ pub struct DirectedBase<'a> {
     /// J and K, or p_L and p_V/q.
     pub factors: [&'a Sig; 2],
     /// What is known of their product.
-    pub known: Option<Product>,
+    pub known: KnownProduct,
     /// L·V.
     pub light_dot_view: &'a Sig,
     /// q.
     pub q: &'a Sig,
+}
+
+/// What is known of the product that a base is made of.
+#[derive(Clone, Copy)]
+pub enum KnownProduct {
+    /// A proof.
+    Proven(Product),
+    /// What operators propagate.
+    Propagated,
+    /// Nothing.
+    Nothing,
+}
+
+impl From<Option<Product>> for KnownProduct {
+    fn from(proven: Option<Product>) -> KnownProduct {
+        proven.map_or(KnownProduct::Nothing, KnownProduct::Proven)
+    }
 }
 
 /// 2 J K - L·V, kept within 0 to 1, and 0 where q ≤ 0; a q that may be rounded to 0 though it is
@@ -145,7 +186,8 @@ pub fn directed_base(b: &Builder, of: DirectedBase, fraction_bits: u32) -> Sig {
         "b = max(2 J K - L.V, 0) [lecture, eq. 4.5]",
         inputs,
         |b, (j, k, light_dot_view, q)| {
-            let known = of.known.filter(|_| direct::is_positive(q.bound()));
+            let is_positive = direct::is_positive(q.bound());
+            let known = if is_positive { of.known } else { KnownProduct::Nothing };
             let of = Reflected {
                 factors: [&j, &k],
                 product_error: f64::INFINITY,
@@ -154,11 +196,12 @@ pub fn directed_base(b: &Builder, of: DirectedBase, fraction_bits: u32) -> Sig {
                 fraction_bits,
             };
             reflected(b, of, |rounding| match known {
-                Some(known) => UnitBound::Cosine(
+                KnownProduct::Proven(known) => UnitBound::Cosine(
                     "error::direct::Product::base",
                     known.base(light_dot_view.bound(), rounding),
                 ),
-                None => UnitBound::Unknown,
+                KnownProduct::Propagated => UnitBound::Propagated,
+                KnownProduct::Nothing => UnitBound::Unknown,
             })
         },
     )

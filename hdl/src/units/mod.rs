@@ -33,15 +33,18 @@ pub use clamp::{clamp_nonnegative, clamp_unit};
 pub use colour::{Coefficients, Light, channels};
 pub use consistent_reflection::{consistent_cosine, consistent_reflection};
 pub use contraction::{SpanAngles, contraction};
-pub use cosine::{Base, Length, cosine, cosine_by_reciprocal, reflected_base, root};
+pub use cosine::{
+    Base, Length, cosine, cosine_by_reciprocal, positive_cosine, reflected_base,
+    reflected_numerator, root,
+};
 pub use difference::{
     halfway_cross_normal, halfway_minus_normal, halfway_projection, light_reflection,
     reflection_minus_light,
 };
 pub use diffuse::{clamped_cosine, diffuse, gouraud};
 pub use direct::{
-    DirectedBase, direct_cosine, direct_scalar, directed_base, over_square, parameter,
-    squared_length,
+    DirectedBase, KnownProduct, cosine_of_scalar, direct_cosine, direct_scalar, directed_base,
+    over_square, parameter, squared_length,
 };
 pub use divider::{QuotientFormat, divider, quotient, signed_quotient};
 pub use followed::{Follow, followed};
@@ -57,11 +60,11 @@ pub use reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
 pub use rotation::{Turn, rotation, scaled_rotation};
 pub use shape::{root_shape, shape};
 pub use square_root::square_root;
-pub use turned::{along_arc, corrected, specular_base};
+pub use turned::{along_arc, corrected, product_with_way, specular_base, way_along_arc};
 pub use turned_normal::turned_normal;
 pub use unit_vectors::{
     cosine_between, halfway_cosine, halfway_gain, halfway_versine, reflected_cosine, spot_cosine,
     trowbridge_reitz,
 };
-pub use vector::{gated, has_direction};
+pub use vector::{gated, half_sum, has_direction};
 pub use wrapped::{ToPlace, WrapFormats, WrappedPlace, wrapped, wrapped_place};

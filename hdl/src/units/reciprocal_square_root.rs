@@ -23,7 +23,7 @@ impl From<Format> for ReciprocalRoot {
 
 impl ReciprocalRoot {
     /// 4^-m.
-    pub(super) fn least_operand(self) -> f64 {
+    pub(crate) fn least_operand(self) -> f64 {
         power_of_two(-2 * i64::from(self.integer_bits))
     }
 }

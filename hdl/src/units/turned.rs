@@ -5,7 +5,7 @@ use specula_spec::slerp::SlerpFormats;
 use super::reflected::{Direction, Reflected, UnitBound, reflected};
 use crate::error;
 use specula_datapath::bound::Angular;
-use specula_datapath::builder::{Builder, Sig};
+use specula_datapath::builder::{Builder, Sig, Vector};
 
 /// N·X = c A·X + s T·X, for L and V alike. [lecture, eq. 4.7; methods A10]
 pub fn along_arc(
@@ -26,6 +26,30 @@ pub fn along_arc(
             cosine.rounded(formats.cosine.fraction_bits).named("cosine")
         },
     )
+}
+
+/// N·X = c A·X + s T·X of a way X, no longer than 1, whose scalars are off by as much as they are.
+/// [lecture, eq. 4.7; Hast et al., eq. 35]
+pub fn way_along_arc(
+    b: &Builder,
+    weights: [&Sig; 2],
+    [start, across]: [&Sig; 2],
+    fraction_bits: u32,
+) -> Sig {
+    let inputs = (("c", weights[0]), ("s", weights[1]), ("at_start", start), ("across", across));
+    b.unit(
+        "way_along_arc",
+        "N.X = c A.X + s T.X [lecture, eq. 4.7]",
+        inputs,
+        |_, (c, s, start, across)| (c * start + s * across).rounded(fraction_bits).named("product"),
+    )
+}
+
+/// N·X of a unit normal and a way X, no longer than 1. [Hast et al., eq. 35]
+pub fn product_with_way(b: &Builder, normal: &Vector, way: &Vector, fraction_bits: u32) -> Sig {
+    b.unit("product_with_way", "p = N.X", (("normal", normal), ("way", way)), |_, (n, x)| {
+        n.dot(&x).rounded(fraction_bits).named("product")
+    })
 }
 
 /// K (2 - N·N): what N is too long or too short by leaves 2 J K but for its square, since z (2 -

@@ -11,6 +11,13 @@ pub fn has_direction(b: &Builder, n: &Vector) -> Sig {
     })
 }
 
+/// (X + Y)/2, exact.
+pub fn half_sum(x: &Vector, y: &Vector) -> Vector {
+    let sum = x + y;
+    let longest = (x.longest() + y.longest()) / 2.0;
+    Vector::new([sum.x.halved(), sum.y.halved(), sum.z.halved()]).no_longer_than(longest)
+}
+
 /// A value from 0 to 1 that is 0 where the bit `has_direction` is 0.
 pub fn gated(value: Sig, has_direction: &Sig) -> Sig {
     match error::vector::gated(has_direction.bound()) {

@@ -1,6 +1,9 @@
 //! The whole document.
 use super::section::Section;
 
+/// Name of the file with the text.
+pub const NAME: &str = "reproduction.md";
+/// How it begins.
 pub const HEAD: &str = "\
 # What the papers claim and show
 

@@ -1,10 +1,12 @@
-//! The part of the lecture besides claims: the hardware of its programming project.
+//! The parts of the lecture besides claims: figure 5, and its programming project.
+use specula_experiments::reproduce::lecture::quadrilateral::{Shading, pictures};
 use specula_scene::{Needs, load};
 use specula_spec::{CoreSpec, Method};
 use specula_testbench::BenchError;
 
 use super::section::Section;
 use crate::error::ToolError;
+use crate::picture::{Panel, side_by_side};
 
 /// The algorithms whose speeds the project compares.
 const ALGORITHMS: [(&str, Method); 4] = [
@@ -14,8 +16,32 @@ const ALGORITHMS: [(&str, Method); 4] = [
     ("Phong shading by slerp", Method::Slerp),
 ];
 
-/// Adds this part to the section.
+/// Adds these parts to the section.
 pub fn add(section: &mut Section) -> Result<(), ToolError> {
+    square(section);
+    project(section)
+}
+
+fn square(section: &mut Section) {
+    section.heading(3, "Figure 5: a square and the scan lines");
+    section.paragraph(
+        "Three corners of the square are white and the lower one is grey. Interpolated along edges and scan lines, the upper half is white; with \
+         the scan lines turned by 90 degrees (the picture is turned back) the same half is grey. Phong shading has it too, with normals.",
+    );
+    let panels: Vec<Panel> = [Shading::Gouraud, Shading::Phong]
+        .into_iter()
+        .flat_map(pictures)
+        .map(|(title, picture)| Panel::new(title, &picture))
+        .collect();
+    section.picture("The lecture's figure 5", "lecture_figure5", side_by_side(&panels));
+}
+
+/// How the project's software is timed.
+const TIMED: &str = "`specula reproduce project` times the algorithms in software, with Hast's and Reshetov's beside them: [project.md](project.md).";
+
+fn project(section: &mut Section) -> Result<(), ToolError> {
+    section.heading(3, "The project: relative speeds in software");
+    section.paragraph(TIMED);
     section.heading(3, "The project: relative speeds, in hardware");
     section.paragraph(
         "Cores for the teapot, one light. All take a pixel in every clock, whatever the algorithm: what is slow in software is large in hardware.",

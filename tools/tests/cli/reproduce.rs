@@ -32,8 +32,25 @@ fn a_paper_and_a_mesh_can_be_chosen() {
         "v 0 0 0\nv 1 0 0\nv 1 1 0.3\nv 0 1 0.3\nv 0 2 0\nv 1 2 0\nf 1 2 3 4\nf 4 3 6 5\n",
     );
     let text = place.succeeds(&["reproduce", "hast", "--mesh", "roof.obj", "-o", "out"]);
-    assert!(text.contains("figures 2 and 3 on the roof") && !text.contains("Lyon"), "{text}");
-    assert!(place.names("out/images").contains(&"hast_figures_2_3_roof.png".to_owned()));
+    assert!(text.contains("figures 1 to 3 on the roof") && !text.contains("Lyon"), "{text}");
+    assert!(place.names("out/images").contains(&"hast_figures_1_to_3_roof.png".to_owned()));
+}
+
+/// Times differ from run to run; that every loop is there, and every claim has a verdict, does not.
+#[test]
+fn the_project_times_three_models() {
+    let place = Place::new();
+    place.write("roof.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.3\nv 0 1 0.3\nf 1 2 3 4\n");
+    let arguments = ["reproduce", "project", "--mesh", "roof.obj", "--rounds", "1", "-o", "out"];
+    let text = place.succeeds(&arguments);
+    assert!(fs::read_to_string(place.path("out/project.md")).unwrap() == text);
+    for model in ["teapot", "torus", "roof"] {
+        for illumination in ["at infinity", "at places"] {
+            assert!(text.contains(&format!("## {model}, {illumination}")), "{model} {illumination}");
+        }
+    }
+    assert!(!text.contains("not timed") && !text.contains("NaN"), "{text}");
+    assert_eq!(text.matches("| reflection shading, eq. 34 |").count(), 6, "{text}");
 }
 
 #[test]

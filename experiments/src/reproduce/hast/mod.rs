@@ -1,4 +1,5 @@
 //! Hast et al.: operations of their schemes, and normals by reflection.
+pub mod axes;
 pub mod operations;
 pub mod quality;
 mod vectors;
@@ -7,6 +8,6 @@ use super::claim::Claim;
 
 /// All claims, in the paper's order.
 pub(super) fn claims() -> Vec<&'static Claim> {
-    let groups: [&'static [Claim]; 2] = [&operations::CLAIMS, &vectors::CLAIMS];
+    let groups: [&'static [Claim]; 3] = [&operations::CLAIMS, &vectors::CLAIMS, &axes::CLAIMS];
     groups.into_iter().flatten().collect()
 }

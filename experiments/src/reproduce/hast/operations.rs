@@ -3,6 +3,7 @@ use glam::DVec3;
 use specula_golden::loops::Line;
 pub use specula_golden::loops::operations::Operations;
 use specula_golden::loops::operations::{SchemeRow, TABLE};
+use specula_scene::frame::EYE;
 use specula_scene::{Frame, load};
 
 use super::super::claim::{Claim, Ground, Ruling};
@@ -61,7 +62,7 @@ fn counted(row: &SchemeRow) -> Operations {
     let ends = [DVec3::Z, DVec3::new(0.6, 0.0, 0.8)];
     let weights = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let vertices = [ends[0], ends[1], DVec3::Z];
-    let line = Line { ends, steps: 8, vertices, face: DVec3::Z, weights, shininess: 16 };
+    let line = Line { ends, steps: 8, vertices, face: DVec3::Z, weights, shininess: 16, eye: EYE };
     (row.counted)(&line, DVec3::new(0.0, 0.6, 0.8))
 }
 

@@ -1,19 +1,21 @@
-//! Figures 2 and 3: Phong shading and reflection shading, both with highlights by eq. 34, drawn by
-//! cores.
+//! Figures 1 to 3: hybrid shading, and Phong shading and reflection shading with highlights by eq. 34,
+//! drawn by cores.
 use specula_scene::{Frame, Needs};
 use specula_spec::{CoreSpec, Method};
 
 use specula_testbench::statistics::Sums;
 use specula_testbench::{Bench, BenchError, EngineKind, ErrorFigures, Image};
 
-/// A mesh that two cores have drawn.
+/// A mesh that three cores have drawn.
 #[derive(Clone, Debug)]
 pub struct Quality {
+    /// Figure 1: `hybrid`.
+    pub hybrid: Drawn,
     /// Figure 2: `duff` with eq. 34.
     pub phong: Drawn,
     /// Figure 3: `reflection` with eq. 34, wrapped around the polygon's normal.
     pub reflection: Drawn,
-    /// Differences between the codes of the two pictures.
+    /// Differences between the codes of figures 2 and 3.
     pub difference: ErrorFigures,
     /// Difference of each pixel, the largest over its channels; negative where nothing is shaded.
     pub map: Vec<f32>,
@@ -30,11 +32,12 @@ pub struct Drawn {
     pub error: ErrorFigures,
 }
 
-/// Draws a frame with both cores.
+/// Draws a frame with the three cores.
 ///
 /// # Errors
 /// [`BenchError`] if a core cannot be built for the frame, or does not agree with its model.
 pub fn quality(frame: &Frame) -> Result<Quality, BenchError> {
+    let hybrid = drawn(frame, Method::Hybrid, "")?;
     let phong = drawn(frame, Method::Duff, "duff.specular = \"eq34\"")?;
     let reflection = drawn(
         frame,
@@ -55,7 +58,7 @@ pub fn quality(frame: &Frame) -> Result<Quality, BenchError> {
         off += u64::from(largest > 1);
     }
     let share = off as f64 / frame.shaded_pixels().max(1) as f64;
-    Ok(Quality { phong, reflection, difference: sums.figures(), map, share })
+    Ok(Quality { hybrid, phong, reflection, difference: sums.figures(), map, share })
 }
 
 fn drawn(frame: &Frame, method: Method, options: &str) -> Result<Drawn, BenchError> {

@@ -1,4 +1,8 @@
-//! The lecture: arcs against chords, Newton's root, an exercise.
+//! The lecture: scan lines and bands, arcs against chords, Newton's root, exercises.
+mod bands;
+mod exercises;
+pub mod quadrilateral;
+
 use glam::DVec3;
 use specula_golden::exact::formula::direct::{kappa, length_squared};
 use specula_golden::exact::formula::newton::lengths;
@@ -9,6 +13,15 @@ use specula_spec::FULL_SCALE;
 use super::claim::{Claim, HALF_LSB, Ruling, exact};
 use super::maximum::largest;
 use crate::stress::draw::{tilted, turned};
+
+/// All claims, in the order of the lecture.
+pub(super) fn claims() -> Vec<&'static Claim> {
+    let groups: [&'static [Claim]; 4] =
+        [&quadrilateral::CLAIMS, &bands::CLAIMS, &CLAIMS, &exercises::CLAIMS];
+    groups.into_iter().flatten().collect()
+}
+
+pub use bands::figures;
 
 /// Largest angle in degrees between slerp and the normalised lerp.
 fn largest_angle(degrees: f64) -> f64 {
@@ -109,7 +122,7 @@ const ONE: &str = "Newton's root needs few steps: one";
 const TWO: &str = "Newton's root needs few steps: two";
 
 /// The criterion is half an LSB of diffuse light unless a claim says otherwise.
-pub(super) const CLAIMS: [Claim; 14] = [
+const CLAIMS: [Claim; 13] = [
     difference("largest angle between them in degrees, span of 10", (0.0049, 5e-5), || {
         largest_angle(10.0)
     }),
@@ -143,16 +156,4 @@ pub(super) const CLAIMS: [Claim; 14] = [
     whichever("degrees between the normals at the centre, 90 degrees", (6.87, 5e-3), || {
         spread(90.0)
     }),
-    exact(
-        "exercise 1: sin 24.3 degrees by lerp from a table",
-        "sin 24.3 degrees",
-        (0.411_504, 5e-7),
-        || 0.7 * 0.40674 + 0.3 * 0.42262,
-        |sine| {
-            Ruling::of(
-                (sine - libm::sin(24.3_f64.to_radians())).abs() < 5e-5,
-                "it differs in the table's digits",
-            )
-        },
-    ),
 ];

@@ -6,7 +6,7 @@ use specula_golden::exact::formula::differences::{d1, d2, d3};
 use specula_golden::exact::formula::distributions::{Formulation, formulation, torrance_sparrow};
 use specula_golden::exact::formula::reflection::{halfway, reflect, reflection_minus_light};
 use specula_golden::exact::formula::root_shininess;
-use specula_golden::exact::formula::shape::{f_k, power};
+use specula_golden::exact::formula::shape::{f_k, lobe, power};
 
 use super::super::claim::{Claim, HALF_LSB, Ruling, exact};
 use super::super::maximum::largest;
@@ -31,6 +31,23 @@ pub fn phong(angle: f64, n: u32) -> f64 {
 /// The largest difference between f_k and cos^n over 0 to 180 degrees.
 fn shape_error(n: u32, k: u32) -> f64 {
     largest(|t| (shape(PI * t, n, k) - phong(PI * t, n)).abs())
+}
+
+/// The largest difference between (1 - x/K)^K and cos^n over 0 to 180 degrees, with K factors.
+fn lobe_error(n: u32, factors: u32) -> f64 {
+    let shape = |angle: f64| lobe(f64::from(n) * (1.0 - libm::cos(angle)), factors);
+    largest(|t| (shape(PI * t) - phong(PI * t, n)).abs())
+}
+
+const fn any_number(quantity: &'static str, expected: (f64, f64), measure: fn() -> f64) -> Claim {
+    exact(
+        "K need be no power of two: any K is nearer than K - 1, since (1 - x/K)^K goes to exp(-x)",
+        quantity,
+        expected,
+        measure,
+        // K = 2 is off by as much.
+        |error| Ruling::of(error < 0.1617, "K = 2 is nearer"),
+    )
 }
 
 /// The least angle in degrees at which f_k is 0; 180 if there is none.
@@ -117,7 +134,7 @@ const fn row_10(quantity: &'static str, expected: (f64, f64), measure: fn() -> f
 }
 
 /// Numbers are in units of full scale unless a claim says otherwise.
-pub const CLAIMS: [Claim; 24] = [
+pub const CLAIMS: [Claim; 26] = [
     exact("|D| is 2 sin(alpha/2)", "largest difference", (0.0, 5e-15), chord_error, |error| {
         Ruling::of(error < 5e-15, "it differs")
     }),
@@ -198,6 +215,11 @@ pub const CLAIMS: [Claim; 24] = [
         || shape_error(1024, 3),
         |error| Ruling::of(error < shape_error(1024, 2), "it is not"),
     ),
+    // From the formula in Python.
+    any_number("largest difference from cos^1024, K = 3", (0.101_18, 5e-6), || lobe_error(1024, 3)),
+    any_number("largest difference from cos^1024, K = 64", (0.003_987, 5e-7), || {
+        lobe_error(1024, 64)
+    }),
     exact(
         "D1 and D2 are equally long",
         "largest difference of D.D, |N| = 1",

@@ -13,6 +13,7 @@ pub mod point_light;
 pub mod quadratic;
 pub mod reflection;
 pub mod root_shininess;
+pub mod scan_line;
 pub mod shape;
 pub mod slerp;
 pub mod specular;

@@ -13,14 +13,20 @@ pub fn halfway(light: DVec3) -> DVec3 {
     light + EYE
 }
 
+/// 2(N·u)N - u - w: u reflected about N, less w. With V and L it is D = R - L, and D2 the other way
+/// round [methods B2, B4].
+pub fn reflected_minus(normal: DVec3, u: DVec3, w: DVec3) -> DVec3 {
+    2.0 * normal.dot(u) * normal - (u + w)
+}
+
 /// D = R - L, equal to 2(N·V)N - H [methods B2, B3]. |D|² = 2 - 2 R·L for a unit normal.
 pub fn reflection_minus_light(normal: DVec3, light: DVec3) -> DVec3 {
-    2.0 * normal.dot(EYE) * normal - halfway(light)
+    reflected_minus(normal, EYE, light)
 }
 
 /// D2 = 2(N·L)N - H [methods B4]. For a unit normal it is as long as R - L.
 pub fn light_reflection(normal: DVec3, light: DVec3) -> DVec3 {
-    2.0 * normal.dot(light) * normal - halfway(light)
+    reflected_minus(normal, light, EYE)
 }
 
 /// The vector from a half-way vector to its projection on the normal, (h·N)N - h [methods B5, B6].

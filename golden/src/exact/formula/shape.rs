@@ -11,6 +11,11 @@ pub fn power(cosine: f64, n: u32) -> f64 {
 ///
 /// With x = (n/2)|R - L|² and n = 2^k it equals Phong's cos^n.
 pub fn f_k(x: f64, k: u32) -> f64 {
-    let terms = 1 << k;
-    (1.0 - x / f64::from(terms)).max(0.0).powi(terms)
+    lobe(x, 1 << k)
+}
+
+/// The same with any number of factors K from 1 on, (1 - x/K)^K, and 0 from x = K on [Lyon,
+/// "Gaussian and Exponential Relationships"; methods B10].
+pub fn lobe(x: f64, factors: u32) -> f64 {
+    (1.0 - x / f64::from(factors)).max(0.0).powi(factors.cast_signed())
 }

@@ -1,5 +1,6 @@
 //! Lyon's method without rounding [Lyon, TR 43; methods B].
 use glam::DVec3;
+use specula_scene::frame::{EYE, Spot};
 use specula_scene::{Frame, Span, Wrap};
 use specula_spec::LyonSpec;
 use specula_spec::lyon::{Difference, Halfway, NormalWrap, Normals};
@@ -7,10 +8,10 @@ use specula_spec::lyon::{Difference, Halfway, NormalWrap, Normals};
 use super::ShadeSpan;
 use super::coefficients::{Amounts, Coefficients};
 use crate::exact::formula::diffuse::lambert;
+use crate::exact::formula::illumination::Illumination;
 use crate::exact::formula::normalisation::{g2, gain, unit};
-use crate::exact::formula::reflection::{
-    halfway, halfway_cross_normal, light_reflection, projection, reflection_minus_light,
-};
+use crate::exact::formula::point_light;
+use crate::exact::formula::reflection::{projection, reflected_minus};
 use crate::exact::formula::shape::f_k;
 use crate::exact::formula::wrap::{chained, wrap};
 
@@ -51,6 +52,7 @@ impl Path {
 /// One span, shaded by `lyon`.
 pub struct LyonSpan<'a> {
     spec: &'a LyonSpec,
+    frame: &'a Frame,
     span: &'a Span,
     path: Path,
     half_shininess: f64,
@@ -59,9 +61,10 @@ pub struct LyonSpan<'a> {
 
 impl<'a> LyonSpan<'a> {
     /// Sets up a span of a frame.
-    pub fn new(spec: &'a LyonSpec, frame: &Frame, span: &'a Span) -> Self {
+    pub fn new(spec: &'a LyonSpec, frame: &'a Frame, span: &'a Span) -> Self {
         LyonSpan {
             spec,
+            frame,
             span,
             path: Path::new(spec, frame, span),
             half_shininess: f64::from(frame.material(span).shininess) / 2.0,
@@ -86,24 +89,46 @@ impl<'a> LyonSpan<'a> {
         }
     }
 
+    /// A way to a `place` at pixel `i`, brought near unit length as normals are; `None` for one
+    /// without direction.
+    fn towards(&self, place: DVec3, i: u32) -> Option<DVec3> {
+        let [start, end] = self.frame.end_vectors_to(self.span, place);
+        let way = start.lerp(end, self.span.parameter(i));
+        (way != DVec3::ZERO).then(|| gain(self.spec, way.length_squared()) * way)
+    }
+
+    /// L of every light and what a spot leaves of it, those at infinity first.
+    fn lights(&self, i: u32) -> impl Iterator<Item = Option<Illumination>> {
+        let at_infinity = self
+            .frame
+            .lights
+            .iter()
+            .map(|light| Some(Illumination { direction: light.direction, share: 1.0 }));
+        at_infinity.chain(self.frame.local_lights.iter().map(move |light| {
+            let direction = self.towards(light.position, i)?;
+            let of_spot = |spot: &Spot| point_light::spot(-spot.axis, direction, spot.exponent);
+            Some(Illumination { direction, share: light.spot.as_ref().map_or(1.0, of_spot) })
+        }))
+    }
+
     /// f_k of D; 0 where the normal vanishes and has no direction (extremes row 1).
-    fn highlight(&self, normal: DVec3, light: DVec3) -> f64 {
+    fn highlight(&self, normal: DVec3, light: DVec3, view: DVec3) -> f64 {
         if normal == DVec3::ZERO {
             return 0.0;
         }
-        let about_unit = unit_halfway(self.spec.halfway, light);
+        let about_unit = unit_halfway(self.spec.halfway, light + view);
         let (difference, half_exponent) = match (self.spec.difference, about_unit) {
             (Difference::ReflectionMinusLight, _) => {
-                (reflection_minus_light(normal, light), self.half_shininess)
+                (reflected_minus(normal, view, light), self.half_shininess)
             }
             (Difference::LightReflection, _) => {
-                (light_reflection(normal, light), self.half_shininess)
+                (reflected_minus(normal, light, view), self.half_shininess)
             }
             (Difference::HalfwayProjection, _) => {
-                (projection(normal, halfway(light)), self.half_shininess)
+                (projection(normal, light + view), self.half_shininess)
             }
             (Difference::HalfwayCrossNormal, _) => {
-                (halfway_cross_normal(normal, light), self.half_shininess)
+                ((light + view).cross(normal), self.half_shininess)
             }
             (Difference::UnitHalfwayMinusNormal, Some(h)) => {
                 (h - normal, 4.0 * self.half_shininess)
@@ -119,10 +144,10 @@ impl<'a> LyonSpan<'a> {
     }
 }
 
-/// A half-way vector of about unit length [methods B6, B7]; `None` for L = -V, where it has no
-/// direction (extremes row 12).
-fn unit_halfway(kind: Halfway, light: DVec3) -> Option<DVec3> {
-    let h = halfway(light) / 2.0;
+/// A half-way vector of about unit length, of H = L + V [methods B6, B7]; `None` for L = -V, where
+/// it has no direction (extremes row 12).
+fn unit_halfway(kind: Halfway, sum: DVec3) -> Option<DVec3> {
+    let h = sum / 2.0;
     match kind {
         Halfway::Unit => unit(h),
         Halfway::Half => Some(h),
@@ -133,9 +158,13 @@ fn unit_halfway(kind: Halfway, light: DVec3) -> Option<DVec3> {
 impl ShadeSpan for LyonSpan<'_> {
     fn pixel(&self, i: u32) -> [f64; 3] {
         let normal = self.normal(i);
-        self.coefficients.sum(|light| Amounts {
-            diffuse: lambert(normal, light.direction),
-            specular: self.highlight(normal, light.direction),
-        })
+        let view = self.frame.eye.map_or(Some(EYE), |eye| self.towards(eye, i));
+        self.coefficients.sum_of(self.lights(i).map(|light| match light {
+            Some(Illumination { direction, share }) => Amounts {
+                diffuse: share * lambert(normal, direction),
+                specular: view.map_or(0.0, |view| share * self.highlight(normal, direction, view)),
+            },
+            None => Amounts::default(),
+        }))
     }
 }

@@ -36,6 +36,14 @@ impl<'a> MethodSpan<'a> {
         if spec.places_seen_from() == Viewpoint::Span && !frame.directions_are_constant() {
             return MethodSpan(Box::new(Shaded::from_the_middle(spec, frame, span)));
         }
+        let has_ways = |spec: &CoreSpec| spec.places_seen_from() == Viewpoint::Pixel;
+        let sees_for_itself = matches!(
+            spec.method,
+            MethodSpec::Phong(_) | MethodSpec::Hybrid(_) | MethodSpec::Lyon(_)
+        );
+        if has_ways(spec) && !sees_for_itself && !frame.directions_are_constant() {
+            return MethodSpan(Box::new(FromEveryPixel { spec, frame, span }));
+        }
         MethodSpan(match &spec.method {
             MethodSpec::Lyon(lyon) => Box::new(LyonSpan::new(lyon, frame, span)),
             MethodSpec::Phong(phong) => Box::new(PhongSpan::of_spec(phong, frame, span)),
@@ -61,6 +69,22 @@ impl<'a> MethodSpan<'a> {
     /// Shades as many pixels as `out` has, from the span's first pixel on: 0..=255 LSB a channel.
     pub fn shade(&self, out: &mut [[f64; 3]]) {
         self.0.shade(out);
+    }
+}
+
+/// A span under directions to lights and eye that every pixel sees for itself, as if they were at
+/// infinity: everything is turned until the eye is where a method has it.
+struct FromEveryPixel<'a> {
+    spec: &'a CoreSpec,
+    frame: &'a Frame,
+    span: &'a Span,
+}
+
+impl ShadeSpan for FromEveryPixel<'_> {
+    fn pixel(&self, i: u32) -> [f64; 3] {
+        let FromEveryPixel { spec, frame, span } = *self;
+        let parallel = ParallelSpan::seen_from(frame, span, span.weights(i));
+        MethodSpan::new(spec, &parallel.frame, parallel.span()).pixel(i)
     }
 }
 

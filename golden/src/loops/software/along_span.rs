@@ -20,6 +20,21 @@ impl<S: Scheme<f32>> AlongSpan for S {
     }
 }
 
+/// A light of which a share arrives.
+#[derive(Clone, Copy, Debug)]
+pub struct Dimmed<A> {
+    /// The light.
+    pub light: A,
+    /// The shares of its diffuse and of its specular light, 0 to 1.
+    pub shares: [f32; 2],
+}
+
+impl<A: AlongSpan> AlongSpan for Dimmed<A> {
+    fn add(self, shininess: u32, reflected: &Reflected, out: &mut [[f32; 3]]) {
+        self.light.add(shininess, &reflected.dimmed(self.shares), out);
+    }
+}
+
 /// A scheme, or Phong's where the scheme cannot shade the span.
 #[derive(Clone, Copy, Debug)]
 pub enum OrPhong<S> {

@@ -3,7 +3,10 @@ use specula_scene::{Frame, Span};
 
 use super::looped::Loop;
 use super::placed::PlacedLoop;
-use super::set_up::{Arcs, DiffuseVertices, Each, Polygons, Vertices, Where, Wraps};
+use super::set_up::{
+    Always, Arcs, DiffuseVertices, DiffuseVerticesFromMiddle, Each, FromMiddle, Polygons, Serves,
+    Vertices, Where, Wraps,
+};
 use super::{Mesh, OfMesh};
 use crate::loops::{
     Blinn, Chained, Chebyshev, Consistent, ConsistentNormal, Direct, DuffBlinn, DuffHybrid,
@@ -18,29 +21,27 @@ use crate::loops::{
 pub struct Method {
     /// Its name.
     pub name: &'static str,
-    /// The places of lights and eye that it supports.
+    /// The places of lights and eye for which it is of use.
     pub places: Places,
     /// Computes what belongs to a frame.
     pub of_mesh: OfMesh,
 }
 
-/// The places of lights and eye that a loop supports.
+/// The places of lights and eye for which a loop is of use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Places {
-    /// Lights and eye at infinity.
-    Infinity,
     /// Lights and eye at places, with directions computed at each pixel; without places another
     /// loop does the same.
     Local,
-    /// Lights and eye anywhere: directions are computed at vertices or polygons, before the loop.
+    /// Lights and eye anywhere. Directions to those at places are computed before the loop: at
+    /// vertices, at polygons, or in the middle of each span.
     Any,
 }
 
 impl Method {
-    /// Whether the loop does what a frame needs, and no other loop does the same there.
+    /// Whether no other loop does the same with a frame.
     pub fn serves(&self, frame: &Frame) -> bool {
         match self.places {
-            Places::Infinity => frame.directions_are_constant(),
             Places::Local => !frame.directions_are_constant(),
             Places::Any => true,
         }
@@ -56,7 +57,7 @@ impl Method {
 }
 
 /// Every method.
-pub const METHODS: [Method; 38] = [
+pub const METHODS: [Method; 39] = [
     anywhere("uniform", |mesh| Box::new(Loop::<Polygons>::new(mesh))),
     anywhere("gouraud", |mesh| Box::new(Loop::<Vertices>::new(mesh))),
     method::<Phong<f32>>("phong"),
@@ -71,15 +72,16 @@ pub const METHODS: [Method; 38] = [
     arc::<FrameSlerp<f32>>("slerp-frame"),
     arc::<Chebyshev<f32>>("chebyshev"),
     method::<LyonCross<f32>>("lyon"),
-    method::<LyonReflection<f32, 2>>("lyon-reflection"),
-    method::<LyonReflection<f32, 1>>("lyon-reflection-1"),
-    method::<LyonReflection<f32, 0>>("lyon-reflection-0"),
+    method::<LyonReflection<f32, 4>>("lyon-reflection"),
+    method::<LyonReflection<f32, 2>>("lyon-reflection-1"),
+    method::<LyonReflection<f32, 1>>("lyon-reflection-0"),
+    method::<LyonReflection<f32, 3>>("lyon-reflection-cubed"),
     method::<LyonLightReflection<f32>>("lyon-light-reflection"),
-    method::<LyonProjection<f32, Sum, 2>>("lyon-projection"),
-    method::<LyonProjection<f32, Unit, 2>>("lyon-unit-projection"),
-    method::<LyonProjection<f32, Half, 2>>("lyon-half-projection"),
-    method::<LyonProjection<f32, HalfG2, 2>>("lyon-half-g2-projection"),
-    method::<LyonProjection<f32, HalfG2, 1>>("lyon-half-g2-projection-1"),
+    method::<LyonProjection<f32, Sum, 4>>("lyon-projection"),
+    method::<LyonProjection<f32, Unit, 4>>("lyon-unit-projection"),
+    method::<LyonProjection<f32, Half, 4>>("lyon-half-projection"),
+    method::<LyonProjection<f32, HalfG2, 4>>("lyon-half-g2-projection"),
+    method::<LyonProjection<f32, HalfG2, 2>>("lyon-half-g2-projection-1"),
     method::<LyonNormal<f32, Unit>>("lyon-unit-normal"),
     method::<LyonNormal<f32, HalfG2>>("lyon-half-g2-normal"),
     method::<DuffRoot<f32>>("duff"),
@@ -87,7 +89,13 @@ pub const METHODS: [Method; 38] = [
     method::<DuffHybrid<f32>>("duff-hybrid"),
     method::<DuffQuotient<f32>>("duff-quotient"),
     method::<Direct<f32>>("direct"),
-    infinite("hybrid", |mesh| Box::new(Loop::<DiffuseVertices>::new(mesh))),
+    anywhere("hybrid", |mesh| {
+        if mesh.frame.directions_are_constant() {
+            Box::new(Loop::<DiffuseVertices>::new(mesh))
+        } else {
+            Box::new(Loop::<DiffuseVerticesFromMiddle>::new(mesh))
+        }
+    }),
     wrapped::<ReflectionRoot<f32>>("reflection"),
     wrapped::<ReflectionBlinn<f32>>("reflection-blinn"),
     wrapped::<ReflectionHybrid<f32>>("reflection-hybrid"),
@@ -102,16 +110,18 @@ pub fn by_name(name: &str) -> Option<Method> {
     METHODS.into_iter().find(|method| method.name == name)
 }
 
-const fn infinite(name: &'static str, of_mesh: OfMesh) -> Method {
-    Method { name, places: Places::Infinity, of_mesh }
-}
-
 const fn anywhere(name: &'static str, of_mesh: OfMesh) -> Method {
     Method { name, places: Places::Any, of_mesh }
 }
 
 const fn method<S: Scheme<f32> + 'static>(name: &'static str) -> Method {
-    infinite(name, |mesh| Box::new(Loop::<Each<S>>::new(mesh)))
+    anywhere(name, |mesh| {
+        if mesh.frame.directions_are_constant() {
+            Box::new(Loop::<Each<S>>::new(mesh))
+        } else {
+            Box::new(Loop::<FromMiddle<S, Always>>::new(mesh))
+        }
+    })
 }
 
 const fn placed<P: PlaceDirection<f32> + 'static>(name: &'static str) -> Method {
@@ -125,11 +135,21 @@ const fn placed<P: PlaceDirection<f32> + 'static>(name: &'static str) -> Method 
 /// A scheme that is used where slerp can interpolate the span's end normals; Phong's chord is used
 /// elsewhere.
 const fn arc<S: Scheme<f32> + 'static>(name: &'static str) -> Method {
-    infinite(name, |mesh| Box::new(Loop::<Where<S, Arcs>>::new(mesh)))
+    served::<S, Arcs>(name)
 }
 
 /// A scheme that is used where the triangle can be wrapped around the polygon's normal; Phong is
 /// used elsewhere.
 const fn wrapped<S: Scheme<f32> + 'static>(name: &'static str) -> Method {
-    infinite(name, |mesh| Box::new(Loop::<Where<S, Wraps>>::new(mesh)))
+    served::<S, Wraps>(name)
+}
+
+const fn served<S: Scheme<f32> + 'static, W: Serves + 'static>(name: &'static str) -> Method {
+    anywhere(name, |mesh| {
+        if mesh.frame.directions_are_constant() {
+            Box::new(Loop::<Where<S, W>>::new(mesh))
+        } else {
+            Box::new(Loop::<FromMiddle<S, W>>::new(mesh))
+        }
+    })
 }

@@ -1,9 +1,11 @@
 //! Set-up of spans: what is computed once for a frame, and what is computed for each span.
 use std::marker::PhantomData;
 
+use glam::DVec3;
+use specula_scene::frame::EYE;
 use specula_scene::{DirectionalLight, Facet, Frame, Span, Triangle};
 
-use super::along_span::{AlongSpan, OrPhong};
+use super::along_span::{AlongSpan, Dimmed, OrPhong};
 use super::linear::{AtPoints, Planes};
 use super::mesh::{Mesh, Point};
 use crate::exact::formula::diffuse::lambert;
@@ -39,6 +41,15 @@ impl<'a, S: Scheme<f32>> SetUp<'a> for Each<'a, S> {
     fn span(&mut self, span: &Span, lights: &mut Vec<S>) {
         let line = Line::new(self.frame, span);
         lights.extend(self.frame.lights.iter().map(|light| S::new(&line, light.direction)));
+    }
+}
+
+/// The condition that is always met.
+pub struct Always;
+
+impl Serves for Always {
+    fn serves(_: &Line) -> bool {
+        true
     }
 }
 
@@ -82,14 +93,77 @@ impl<'a, S: Scheme<f32>, W: Serves> SetUp<'a> for Where<'a, S, W> {
     fn span(&mut self, span: &Span, lights: &mut Vec<OrPhong<S>>) {
         let line = Line::new(self.each.frame, span);
         let serves = W::serves(&line);
-        let light = |light: &DirectionalLight| {
-            if serves {
-                OrPhong::Scheme(S::new(&line, light.direction))
-            } else {
-                OrPhong::Phong(Phong::new(&line, light.direction))
-            }
-        };
+        let light = |light: &DirectionalLight| or_phong(serves, &line, light.direction);
         lights.extend(self.each.frame.lights.iter().map(light));
+    }
+}
+
+/// The scheme where it serves, and Phong's elsewhere.
+fn or_phong<S: Scheme<f32>>(serves: bool, line: &Line, light: DVec3) -> OrPhong<S> {
+    if serves {
+        OrPhong::Scheme(S::new(line, light))
+    } else {
+        OrPhong::Phong(Phong::new(line, light))
+    }
+}
+
+/// Sets up spans as [`Where`] does, under lights and for an eye at places, with the directions to
+/// them and the shares of spots from the middle of the span: no scheme but Phong's takes others.
+pub struct FromMiddle<'a, S, W> {
+    frame: &'a Frame,
+    scheme: PhantomData<(S, W)>,
+}
+
+impl<'a, S: Scheme<f32>, W: Serves> SetUp<'a> for FromMiddle<'a, S, W> {
+    type Light = Dimmed<OrPhong<S>>;
+
+    fn new(mesh: &'a Mesh<'a>) -> Self {
+        FromMiddle { frame: mesh.frame, scheme: PhantomData }
+    }
+
+    fn span(&mut self, span: &Span, lights: &mut Vec<Self::Light>) {
+        let middle = Middle::of(self.frame, span);
+        let serves = W::serves(&middle.line);
+        lights.extend(middle.lights(self.frame).map(|light| Dimmed {
+            light: or_phong(serves, &middle.line, light.direction),
+            shares: light.shares,
+        }));
+    }
+}
+
+/// A span as it is lit and seen from its middle.
+struct Middle {
+    line: Line,
+    position: DVec3,
+    /// Whether the eye is anywhere but at that very point, where it sees no highlight.
+    is_seen: bool,
+}
+
+/// A light as seen from the middle of a span.
+struct MiddleLight {
+    direction: DVec3,
+    shares: [f32; 2],
+}
+
+impl Middle {
+    fn of(frame: &Frame, span: &Span) -> Middle {
+        let weights = std::array::from_fn(|k| f64::midpoint(span.start[k], span.end[k]));
+        let position = frame.position_at(span, weights);
+        let view = view_from(frame, position);
+        let line = Line { eye: view.unwrap_or(EYE), ..Line::new(frame, span) };
+        Middle { line, position, is_seen: view.is_some() }
+    }
+
+    /// Every light, those at infinity first; one at that very point gives nothing (extremes row
+    /// 39).
+    fn lights<'a>(&self, frame: &'a Frame) -> impl Iterator<Item = MiddleLight> + use<'a> {
+        let is_seen = self.is_seen;
+        lights_from(frame, self.position).map(move |light| {
+            let light = light.unwrap_or(Illumination { direction: EYE, share: 0.0 });
+            let share = light.share as f32;
+            let specular = if is_seen { share } else { 0.0 };
+            MiddleLight { direction: light.direction, shares: [share, specular] }
+        })
     }
 }
 
@@ -139,22 +213,53 @@ pub struct DiffuseVertices<'a> {
     diffuse: Planes<1>,
 }
 
+impl<'a> DiffuseVertices<'a> {
+    fn of(mesh: &'a Mesh<'a>) -> Self {
+        let frame = mesh.frame;
+        let of_light = |normal: DVec3, light: Option<Illumination>| {
+            light.map_or(0.0, |light| light.share * lambert(normal, light.direction))
+        };
+        let diffuse = |vertex: Point| {
+            lights_from(frame, vertex.position).map(move |light| [of_light(vertex.normal, light)])
+        };
+        let vertices = AtPoints::new(mesh.vertices.iter().copied(), diffuse);
+        DiffuseVertices { frame, diffuse: Planes::new(mesh, &vertices) }
+    }
+}
+
 impl<'a> SetUp<'a> for DiffuseVertices<'a> {
     type Light = Hybrid<f32>;
 
     fn new(mesh: &'a Mesh<'a>) -> Self {
-        let frame = mesh.frame;
-        let diffuse = |vertex: Point| {
-            frame.lights.iter().map(move |light| [lambert(vertex.normal, light.direction)])
-        };
-        let vertices = AtPoints::new(mesh.vertices.iter().copied(), diffuse);
-        DiffuseVertices { frame, diffuse: Planes::new(mesh, &vertices) }
+        DiffuseVertices::of(mesh)
     }
 
     fn span(&mut self, span: &Span, lights: &mut Vec<Hybrid<f32>>) {
         let line = Line::new(self.frame, span);
         let along = self.frame.lights.iter().zip(self.diffuse.along(span));
         lights.extend(along.map(|(light, [diffuse])| Hybrid::of(diffuse, &line, light.direction)));
+    }
+}
+
+/// Sets up spans as [`DiffuseVertices`] does, under lights and for an eye at places: diffuse light
+/// from the vertices, the highlight from the middle of the span.
+pub struct DiffuseVerticesFromMiddle<'a>(DiffuseVertices<'a>);
+
+impl<'a> SetUp<'a> for DiffuseVerticesFromMiddle<'a> {
+    type Light = Dimmed<Hybrid<f32>>;
+
+    fn new(mesh: &'a Mesh<'a>) -> Self {
+        DiffuseVerticesFromMiddle(DiffuseVertices::of(mesh))
+    }
+
+    fn span(&mut self, span: &Span, lights: &mut Vec<Self::Light>) {
+        let DiffuseVertices { frame, diffuse } = &mut self.0;
+        let middle = Middle::of(frame, span);
+        let along = middle.lights(frame).zip(diffuse.along(span));
+        lights.extend(along.map(|(light, [diffuse])| Dimmed {
+            light: Hybrid::of(diffuse, &middle.line, light.direction),
+            shares: [1.0, light.shares[1]],
+        }));
     }
 }
 

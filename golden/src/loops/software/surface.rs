@@ -34,6 +34,15 @@ impl Surface {
 }
 
 impl Reflected {
+    /// The products for a light of which these shares, 0 to 1, arrive as diffuse and as specular
+    /// light.
+    pub fn dimmed(&self, [diffuse, specular]: [f32; 2]) -> Reflected {
+        Reflected {
+            diffuse: self.diffuse.map(|c| c * diffuse),
+            specular: self.specular.map(|c| c * specular),
+        }
+    }
+
     /// Adds a light's reflection to a pixel.
     #[inline(always)]
     pub fn add(&self, diffuse: f32, specular: f32, pixel: &mut [f32; 3]) {
