@@ -102,13 +102,15 @@ fn row(
     let (made, reached) = match (&synth, extent) {
         (None, _) => (None, None),
         (Some(synth), Extent::Counted) => (Some(synthesised(&design, synth)?), None),
-        (Some(synth), Extent::Placed) => match synthesise_and_place(&design, synth, (clock_mhz as u32, 1), &|| ()) {
-            Ok(synthesis) => (Some(synthesis.cells), median(&synthesis)),
-            Err(error) => {
-                eprintln!("{} on {target}: {error}", method.name());
-                (Some(synthesised(&design, synth)?), None)
+        (Some(synth), Extent::Placed) => {
+            match synthesise_and_place(&design, synth, (clock_mhz as u32, 1), &|| ()) {
+                Ok(synthesis) => (Some(synthesis.cells), median(&synthesis)),
+                Err(error) => {
+                    eprintln!("{} on {target}: {error}", method.name());
+                    (Some(synthesised(&design, synth)?), None)
+                }
             }
-        },
+        }
     };
     let made = |of: fn(&specula_flow::synth::Cells) -> u64| {
         made.as_ref().map_or("–".to_owned(), |cells| of(cells).to_string())
