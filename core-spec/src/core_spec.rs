@@ -112,6 +112,11 @@ impl CoreSpec {
         self.method.shading().places_seen_from()
     }
 
+    /// Whether the core follows the ways from pixels to lights and eye at places.
+    pub fn follows_ways(&self) -> bool {
+        self.parameters.has_places() && self.places_seen_from() == Viewpoint::Pixel
+    }
+
     /// The ports of the core's data inputs in the order in which packets hold them; `valid` and
     /// `start` come beside them.
     pub fn inputs(&self) -> Vec<InputPort> {

@@ -7,6 +7,11 @@ use specula_spec::{
 
 /// The name of the loop that computes the same as a core, if there is one.
 pub fn software_equivalent(spec: &CoreSpec) -> Option<&'static str> {
+    let is_phong = matches!(spec.method, MethodSpec::Phong(_));
+    if spec.follows_ways() && !is_phong {
+        // Loops see places from the middle of a span, such cores from every pixel.
+        return None;
+    }
     match &spec.method {
         MethodSpec::Lyon(lyon) => of_lyon(lyon),
         MethodSpec::Phong(phong)

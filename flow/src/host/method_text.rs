@@ -47,9 +47,7 @@ pub fn program(spec: &CoreSpec) -> Program {
 
 /// Whether packets hold ways to places. `phong` has directions, and `gouraud` intensities.
 fn follows_ways(spec: &CoreSpec) -> bool {
-    spec.parameters.has_places()
-        && spec.places_seen_from() == Viewpoint::Pixel
-        && !matches!(spec.method, MethodSpec::Phong(_))
+    spec.follows_ways() && !matches!(spec.method, MethodSpec::Phong(_))
 }
 
 /// What is filled in for a light, which may be at a place.

@@ -426,6 +426,7 @@ mod tests {
             cosine: signed,
             sine_ratio_squared: one,
             sine_ratio: one,
+            way_accumulator: signed,
             diffuse: one,
             base: one,
             shape: one,

@@ -134,6 +134,7 @@ mod tests {
             wrap_ratio: Format::unsigned(1, 13),
             length_squared: any,
             gain: any,
+            way_accumulator: any,
             diffuse: any,
             difference: any,
             root_shininess: any,

@@ -100,6 +100,8 @@ mod tests {
             vector: turned,
             component,
             cosine,
+            way_accumulator: cosine,
+            way_root: cosine,
             diffuse: cosine,
             base: cosine,
             shape: cosine,

@@ -46,7 +46,10 @@ fn the_project_times_three_models() {
     assert!(fs::read_to_string(place.path("out/project.md")).unwrap() == text);
     for model in ["teapot", "torus", "roof"] {
         for illumination in ["at infinity", "at places"] {
-            assert!(text.contains(&format!("## {model}, {illumination}")), "{model} {illumination}");
+            assert!(
+                text.contains(&format!("## {model}, {illumination}")),
+                "{model} {illumination}"
+            );
         }
     }
     assert!(!text.contains("not timed") && !text.contains("NaN"), "{text}");

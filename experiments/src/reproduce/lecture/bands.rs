@@ -40,7 +40,10 @@ impl Shading {
         let or_none = |normal: Option<DVec3>| normal.map_or(0.0, |normal| lambert(normal, light));
         match self {
             Shading::Uniform => or_none(unit(ends[0] + ends[1])),
-            Shading::Gouraud => gouraud(&[ends[0], ends[1], DVec3::Z], [1.0 - t, t, 0.0], light),
+            Shading::Gouraud => {
+                let [start, end] = ends.map(|normal| lambert(normal, light));
+                gouraud([start, end, 0.0], [1.0 - t, t, 0.0])
+            }
             Shading::Phong => or_none(unit(ends[0].lerp(ends[1], t))),
         }
     }
