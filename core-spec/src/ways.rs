@@ -323,19 +323,19 @@ pub(crate) struct Ways<'a> {
 
 impl Ways<'_> {
     /// x and y of the way to light number `index`; L and 0 for one at infinity.
-    pub fn to_light(&self, index: usize) -> [DVec3; 2] {
+    pub fn way_to_light(&self, index: usize) -> [DVec3; 2] {
         match index.checked_sub(self.frame.lights.len()) {
             None => [self.frame.lights[index].direction, DVec3::ZERO],
-            Some(local) => self.to_place(self.frame.local_lights[local].position),
+            Some(local) => self.way_to_place(self.frame.local_lights[local].position),
         }
     }
 
     /// The same of the eye.
-    pub fn to_eye(&self) -> [DVec3; 2] {
-        self.frame.eye.map_or([EYE, DVec3::ZERO], |eye| self.to_place(eye))
+    pub fn way_to_eye(&self) -> [DVec3; 2] {
+        self.frame.eye.map_or([EYE, DVec3::ZERO], |eye| self.way_to_place(eye))
     }
 
-    fn to_place(&self, place: DVec3) -> [DVec3; 2] {
+    fn way_to_place(&self, place: DVec3) -> [DVec3; 2] {
         self.span.start_and_step(self.frame.end_vectors_to(self.span, place))
     }
 
@@ -361,7 +361,7 @@ impl Ways<'_> {
         let local = index.checked_sub(self.frame.lights.len());
         let spot = local.and_then(|local| self.frame.local_lights[local].spot.as_ref());
         VectorLight {
-            way: self.vector(self.to_light(index)),
+            way: self.vector(self.way_to_light(index)),
             spot: spot.map(|spot| VectorSpot {
                 axis: vector.quantise_vector(spot.axis),
                 exponent: spot.exponent.into(),
@@ -371,7 +371,7 @@ impl Ways<'_> {
 
     /// The way to an eye at a place by its components, if it is at one.
     pub fn vector_eye(&self) -> Option<VectorWay<i64>> {
-        self.frame.eye.is_some().then(|| self.vector(self.to_eye()))
+        self.frame.eye.is_some().then(|| self.vector(self.way_to_eye()))
     }
 
     fn squared(&self, way: [DVec3; 2]) -> Quadratic<i64> {
@@ -384,7 +384,7 @@ impl Ways<'_> {
         let spot = local.and_then(|local| self.frame.local_lights[local].spot.as_ref());
         LightWay {
             squared: self.squared(way),
-            dot_view: self.product(way, self.to_eye()),
+            dot_view: self.product(way, self.way_to_eye()),
             spot: spot.map(|spot| SpotWay {
                 axis: self.linear(way, -spot.axis),
                 exponent: spot.exponent.into(),
@@ -404,7 +404,7 @@ impl Ways<'_> {
 
     /// The way to an eye at a place, if it is at one.
     pub fn eye_cosine(&self, normal: [DVec3; 2]) -> Option<EyeCosine<i64>> {
-        let way = self.to_eye();
+        let way = self.way_to_eye();
         let cosine = || EyeCosine { normal: self.product(normal, way), squared: self.squared(way) };
         self.frame.eye.is_some().then(cosine)
     }

@@ -41,7 +41,7 @@ impl MethodSetUp for DirectSetUp<'_> {
             let ways = self.ways(span);
             // Without a normal there is no light, nor a highlight of L·V alone.
             let is_dark = normals[0] == DVec3::ZERO;
-            let to_light = if is_dark { [DVec3::ZERO; 2] } else { ways.to_light(index) };
+            let to_light = if is_dark { [DVec3::ZERO; 2] } else { ways.way_to_light(index) };
             let way = ways.light_cosine(span.start_and_step(*normals), index, to_light);
             return DirectLight { light: None, way: Some(way), light_dot_view: None };
         }

@@ -63,7 +63,7 @@ impl DuffSetUp<'_> {
 
     fn way(&self, span: &Span, normal: [DVec3; 2], index: usize) -> LightCosine<i64> {
         let ways = self.ways(span);
-        ways.light_cosine(normal, index, ways.to_light(index))
+        ways.light_cosine(normal, index, ways.way_to_light(index))
     }
 
     /// (m + k i)·u.

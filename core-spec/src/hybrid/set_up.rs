@@ -42,7 +42,7 @@ impl MethodSetUp for HybridSetUp<'_> {
         let [start, step] = self.intensity(span, index).map(|x| format.quantise(x));
         HybridLight {
             numerator: (!sends_ways).then(|| self.numerator(span, normal, index)),
-            way: sends_ways.then(|| ways.light_cosine(*normal, index, ways.to_light(index))),
+            way: sends_ways.then(|| ways.light_cosine(*normal, index, ways.way_to_light(index))),
             intensity_start: start,
             intensity_step: step,
         }

@@ -67,7 +67,7 @@ impl MethodSetUp for ReflectionSetUp<'_> {
             view: (looks_at_the_eye && !has_eye)
                 .then(|| h.cosine_numerator(span, EYE).quantised(accumulator)),
             eye: has_eye.then(|| {
-                let way = ways.to_eye();
+                let way = ways.way_to_eye();
                 ReflectedEye {
                     bisecting: ways.product([h.m, h.k], way),
                     fixed: ways.linear(way, h.n),
@@ -110,7 +110,7 @@ impl ReflectionSetUp<'_> {
 
     fn way(&self, span: &Span, h: &Halfway, index: usize) -> ReflectedLight<i64> {
         let ways = self.ways(span);
-        let way = ways.to_light(index);
+        let way = ways.way_to_light(index);
         ReflectedLight {
             bisecting: ways.product([h.m, h.k], way),
             fixed: ways.linear(way, h.n),

@@ -38,7 +38,7 @@ impl MethodSetUp for SlerpSetUp<'_> {
             falling_cosine: ends.then(|| f.scaled_state.quantise(rotation.falling_cosine)),
             view: self.on_arc(rotation, EYE).filter(|_| !has_eye),
             eye: has_eye.then(|| {
-                let (ways, way) = (self.ways(span), self.ways(span).to_eye());
+                let (ways, way) = (self.ways(span), self.ways(span).way_to_eye());
                 EyeAlongArc {
                     normal: self.way_along_arc(&ways, rotation, way),
                     squared: ways.product(way, way),
@@ -54,7 +54,7 @@ impl MethodSetUp for SlerpSetUp<'_> {
             let ways = self.ways(span);
             // Without a normal there is no light, nor a highlight of L·V alone.
             let is_dark = rotation.axes[0] == DVec3::ZERO;
-            let way = if is_dark { [DVec3::ZERO; 2] } else { ways.to_light(index) };
+            let way = if is_dark { [DVec3::ZERO; 2] } else { ways.way_to_light(index) };
             return SlerpLight::of_way(LightAlongArc {
                 normal: self.way_along_arc(&ways, rotation, way),
                 way: ways.light(index, way),

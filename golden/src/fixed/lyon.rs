@@ -167,8 +167,8 @@ impl Method for Lyon {
         let direction = light.direction.unwrap_or_default();
         let diffuse = self.diffuse(&pixel.normal, &direction, observer);
         let difference = match &light.halfway {
-            Some(halfway) => self.from_halfway(&pixel.normal, halfway, observer),
-            None => self.from_reflection(&pixel.normal, [&direction, &EYE], observer),
+            Some(halfway) => self.difference_by_halfway(&pixel.normal, halfway, observer),
+            None => self.difference_by_reflection(&pixel.normal, [&direction, &EYE], observer),
         };
         let highlight = self.specular(&difference, pixel.shininess, observer);
         let specular = if pixel.has_direction { highlight } else { Wide::ZERO };
@@ -189,12 +189,12 @@ impl Lyon {
         let diffuse = self.diffuse(&pixel.normal, &l, observer);
         let difference = if self.difference.takes_halfway() {
             let sum = std::array::from_fn(|c| l[c] + v[c]);
-            self.from_halfway(&pixel.normal, &sum, observer)
+            self.difference_by_halfway(&pixel.normal, &sum, observer)
         } else if self.difference.takes_unit_halfway() {
             let halfway = self.unit_halfway(&l, v, observer);
-            self.from_halfway(&pixel.normal, &halfway, observer)
+            self.difference_by_halfway(&pixel.normal, &halfway, observer)
         } else {
-            self.from_reflection(&pixel.normal, [&l, v], observer)
+            self.difference_by_reflection(&pixel.normal, [&l, v], observer)
         };
         let highlight = self.specular(&difference, pixel.shininess, observer);
         let is_lit = pixel.has_direction && exists && *is_seen;
@@ -400,7 +400,7 @@ impl Lyon {
     }
 
     /// D of a reflection of L or V.
-    fn from_reflection(
+    fn difference_by_reflection(
         &self,
         normal: &Vector,
         [l, v]: [&Vector; 2],
@@ -415,7 +415,7 @@ impl Lyon {
     }
 
     /// D of a half-way vector.
-    fn from_halfway(
+    fn difference_by_halfway(
         &self,
         normal: &Vector,
         halfway: &Vector,
