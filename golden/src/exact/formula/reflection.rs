@@ -24,11 +24,6 @@ pub fn reflection_minus_light(normal: DVec3, light: DVec3) -> DVec3 {
     reflected_minus(normal, EYE, light)
 }
 
-/// D2 = 2(N·L)N - H [methods B4]. For a unit normal it is as long as R - L.
-pub fn light_reflection(normal: DVec3, light: DVec3) -> DVec3 {
-    reflected_minus(normal, light, EYE)
-}
-
 /// The vector from a half-way vector to its projection on the normal, (h·N)N - h [methods B5, B6].
 pub fn projection(normal: DVec3, halfway: DVec3) -> DVec3 {
     halfway.dot(normal) * normal - halfway
