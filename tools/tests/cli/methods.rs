@@ -75,9 +75,16 @@ fn json_has_the_values_of_options_as_a_scene_file_means_them() {
     assert_eq!(options("lyon")["squarings"], json!([0, 1, 2, 3]));
     assert_eq!(
         options("duff"),
-        &json!({ "power": ["squaring", "tables"], "specular": ["blinn", "quotient", "eq33", "eq34"] })
+        &json!({
+            "places": ["span", "pixel"],
+            "power": ["squaring", "tables"],
+            "specular": ["blinn", "quotient", "eq33", "eq34"],
+        })
     );
-    assert_eq!(options("hybrid"), &json!({ "power": ["squaring", "tables"] }));
+    assert_eq!(
+        options("hybrid"),
+        &json!({ "places": ["span", "pixel"], "power": ["squaring", "tables"] })
+    );
 }
 
 /// One core for each value of each option, the default's among them.
