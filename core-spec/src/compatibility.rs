@@ -36,7 +36,8 @@ impl CoreSpec {
         let dark = DirectionalLight { direction: EYE, colour: DARK };
         frame.lights.resize(self.parameters.lights_at_infinity(), dark);
         self.check_inputs(&frame)?;
-        let parameters = self.parameters.clone().with_bounds_for(&needs);
+        let view_cosine = self.least_view_cosine(&needs);
+        let parameters = self.parameters.clone().with_bounds_for(&needs, view_cosine);
         Ok(FittedCore { frame, spec: CoreSpec { parameters, ..self.clone() } })
     }
 
@@ -99,13 +100,13 @@ impl CoreSpec {
 
 impl CoreParameters {
     /// The same hardware, of which is said too what is so of a frame with these needs.
-    fn with_bounds_for(self, needs: &Needs) -> CoreParameters {
+    fn with_bounds_for(self, needs: &Needs, view_cosine: f64) -> CoreParameters {
         CoreParameters {
             shortest_normal: self.shortest_normal.min(needs.shortest_normal),
             shortest_way: self.shortest_way.min(needs.shortest_way),
             shortest_unit_way: self.shortest_unit_way.min(needs.shortest_unit_way),
             least_cone_cosine: self.least_cone_cosine.min(needs.least_cone_cosine),
-            least_view_cosine: self.least_view_cosine.min(needs.least_view_cosine),
+            least_view_cosine: self.least_view_cosine.min(view_cosine),
             ..self
         }
     }

@@ -57,12 +57,13 @@ impl CoreSpec {
         let named = table.method.as_deref().map(Method::from_name).transpose()?;
         let method = method.or(named).unwrap_or(Method::default_for(needs));
         let pipelines = table.light_pipelines.unwrap_or_default();
-        let spec = CoreSpec {
+        let mut spec = CoreSpec {
             parameters: CoreParameters::for_needs(needs, pipelines),
             method: method.spec(needs, &table.method_table(method))?,
             specialisation: Specialisation::default(),
             target: None,
         };
+        spec.parameters.least_view_cosine = spec.least_view_cosine(needs);
         let spec = spec.for_highlights(needs, &table.named_formats(method));
         spec.check()?;
         spec.method.shading().check_compatible(needs)?;
@@ -115,6 +116,15 @@ impl CoreSpec {
     /// Whether the core follows the ways from pixels to lights and eye at places.
     pub fn follows_ways(&self) -> bool {
         self.parameters.has_places() && self.places_seen_from() == Viewpoint::Pixel
+    }
+
+    /// The smallest cosine between normals and the direction to the eye, as the core sees it.
+    pub(crate) fn least_view_cosine(&self, needs: &Needs) -> f64 {
+        if self.follows_ways() {
+            needs.least_view_cosine_of_pixels
+        } else {
+            needs.least_view_cosine
+        }
     }
 
     /// The ports of the core's data inputs in the order in which packets hold them; `valid` and

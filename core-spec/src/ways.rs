@@ -8,7 +8,7 @@
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use specula_datapath::Format;
-use specula_scene::frame::{EYE, Frame, Span};
+use specula_scene::frame::{EYE, Frame, Span, Spot};
 use specula_scene::needs::{LocalKind, Needs};
 
 use crate::core_input::CoreInput;
@@ -16,7 +16,9 @@ use crate::defaults::reach;
 use crate::input_meaning::InputMeaning;
 use crate::inputs::inputs;
 use crate::linear::Linear;
-use crate::narrowing::{LARGEST_ROOT_REACH, MOST_ACCUMULATOR_FRACTION_BITS, NarrowingPoint};
+use crate::narrowing::{
+    LARGEST_ROOT_REACH, MOST_ACCUMULATOR_FRACTION_BITS, MOST_FRACTION_BITS, NarrowingPoint,
+};
 use crate::parameters::CoreParameters;
 use crate::quadratic::Quadratic;
 use crate::shading_method::{OptionDomain, Viewpoint};
@@ -92,7 +94,8 @@ impl WayFormats {
 
 /// The format of 1/√(X·X) for a scene, of operands with so many fraction bits.
 pub(crate) fn root_for_needs(needs: &Needs, operand: Format, fraction_bits: u32) -> Format {
-    Format::unsigned(reach(needs.shortest_way, operand.fraction_bits), fraction_bits)
+    let reach = reach(needs.shortest_way, operand.fraction_bits);
+    Format::unsigned(reach, fraction_bits.min(MOST_FRACTION_BITS))
 }
 
 /// The narrowing point of 1/√(X·X), where there is one.
@@ -118,11 +121,20 @@ pub(crate) fn accumulator_point(
     span_bits: u32,
 ) -> Option<NarrowingPoint> {
     let differences = "start and differences of what comes of ways to places, rounded by the host";
+    accumulated(places, [accumulator, operand], (2, span_bits), differences)
+}
+
+/// The narrowing point of an accumulator, of which `finest` is rounded, with errors of an `order`.
+fn accumulated(
+    places: Places,
+    [accumulator, finest]: [Format; 2],
+    order: (u32, u32),
+    value: &'static str,
+) -> Option<NarrowingPoint> {
     let point = || {
         let shape = Format::signed(3, 0);
-        let order = (2, span_bits);
-        NarrowingPoint::accumulated("way_accumulator", accumulator, shape, order, differences)
-            .with_at_least(operand.fraction_bits)
+        NarrowingPoint::accumulated("way_accumulator", accumulator, shape, order, value)
+            .with_at_least(finest.fraction_bits)
     };
     (places == Places::Pixel).then(point)
 }
@@ -140,12 +152,7 @@ pub(crate) fn vector_accumulator_point(
     span_bits: u32,
 ) -> Option<NarrowingPoint> {
     let components = "start and step of the components of ways to places, rounded by the host";
-    let point = || {
-        let (shape, order) = (Format::signed(3, 0), (1, span_bits));
-        NarrowingPoint::accumulated("way_accumulator", accumulator, shape, order, components)
-            .with_at_least(vector.fraction_bits)
-    };
-    (places == Places::Pixel).then(point)
+    accumulated(places, [accumulator, vector], (1, span_bits), components)
 }
 
 /// Fraction bits that tell 4^-m from 0, with places seen from pixels.
@@ -237,7 +244,7 @@ impl LightWay<CoreInput> {
         let name = |part: &str| format!("light{index}_{part}");
         let dot_view = if core.local_eye { "X.E" } else { "X.V" };
         LightWay {
-            squared: squared("X.X", &name("way_squared"), format),
+            squared: Quadratic::squared_length_inputs("X.X", &name("way_squared"), format),
             dot_view: Quadratic::reflected_inputs(dot_view, &name("way_dot_view"), format),
             spot: core.spot_exponent(index).map(|_| SpotWay {
                 axis: Linear::inputs("X.S", &name("spot_axis"), format),
@@ -265,21 +272,21 @@ impl VectorLight<CoreInput> {
         vector: Format,
     ) -> VectorLight<CoreInput> {
         let name = |part: &str| format!("light{index}_{part}");
-        let axis =
-            InputMeaning::light("the spot's axis", "the unit vector along which the light shines");
         VectorLight {
             way: VectorWay::inputs("X", &name("way"), accumulator),
             spot: core.spot_exponent(index).map(|_| VectorSpot {
-                axis: CoreInput::vector(&axis, &name("axis"), vector, 1.0),
+                axis: spot_axis(&name("axis"), vector),
                 exponent: spot_exponent(core, &name("exponent")),
             }),
         }
     }
 }
 
-/// The inputs of a squared length of way; the longer of the span's ends has length 1.
-fn squared(value: &str, name: &str, format: Format) -> Quadratic<CoreInput> {
-    Quadratic::squared_length_inputs(value, name, format)
+/// The axis of a spot.
+pub(crate) fn spot_axis(name: &str, vector: Format) -> [CoreInput; 3] {
+    let meaning =
+        InputMeaning::light("the spot's axis", "the unit vector along which the light shines");
+    CoreInput::vector(&meaning, name, vector, 1.0)
 }
 
 /// The exponent of a spot, from 1 on.
@@ -308,7 +315,7 @@ impl EyeCosine<CoreInput> {
     pub(crate) fn inputs(format: Format) -> EyeCosine<CoreInput> {
         EyeCosine {
             normal: Quadratic::reflected_inputs("N.E", "eye_normal", format),
-            squared: squared("E.E", "eye_squared", format),
+            squared: Quadratic::squared_length_inputs("E.E", "eye_squared", format),
         }
     }
 }
@@ -330,7 +337,13 @@ impl Ways<'_> {
         }
     }
 
-    /// The same of the eye.
+    /// What light number `index` is besides, if it is a spot.
+    fn spot(&self, index: usize) -> Option<&Spot> {
+        let local = index.checked_sub(self.frame.lights.len())?;
+        self.frame.local_lights[local].spot.as_ref()
+    }
+
+    /// x and y of the way to the eye; V and 0 for one at infinity.
     pub fn way_to_eye(&self) -> [DVec3; 2] {
         self.frame.eye.map_or([EYE, DVec3::ZERO], |eye| self.way_to_place(eye))
     }
@@ -358,11 +371,9 @@ impl Ways<'_> {
 
     /// The way to light number `index` by its components, with vectors in the format `vector`.
     pub fn vector_light(&self, index: usize, vector: Format) -> VectorLight<i64> {
-        let local = index.checked_sub(self.frame.lights.len());
-        let spot = local.and_then(|local| self.frame.local_lights[local].spot.as_ref());
         VectorLight {
             way: self.vector(self.way_to_light(index)),
-            spot: spot.map(|spot| VectorSpot {
+            spot: self.spot(index).map(|spot| VectorSpot {
                 axis: vector.quantise_vector(spot.axis),
                 exponent: spot.exponent.into(),
             }),
@@ -380,12 +391,10 @@ impl Ways<'_> {
 
     /// What a `way` to light number `index` has but for the normal.
     pub fn light(&self, index: usize, way: [DVec3; 2]) -> LightWay<i64> {
-        let local = index.checked_sub(self.frame.lights.len());
-        let spot = local.and_then(|local| self.frame.local_lights[local].spot.as_ref());
         LightWay {
             squared: self.squared(way),
             dot_view: self.product(way, self.way_to_eye()),
-            spot: spot.map(|spot| SpotWay {
+            spot: self.spot(index).map(|spot| SpotWay {
                 axis: self.linear(way, -spot.axis),
                 exponent: spot.exponent.into(),
             }),

@@ -52,6 +52,8 @@ pub struct Needs {
     pub least_cone_cosine: f64,
     /// The smallest cosine between an interpolated normal and the direction to the eye: -1 to 1.
     pub least_view_cosine: f64,
+    /// The same where every pixel sees an eye at a place for itself.
+    pub least_view_cosine_of_pixels: f64,
     /// Intervals of interpolated quantities at the ends of spans.
     pub ranges: Ranges,
 }
@@ -172,11 +174,8 @@ impl Needs {
                 .flat_map(|t| t.cones)
                 .map(|cone| cone.cosine)
                 .fold(1.0, f64::min),
-            least_view_cosine: frame
-                .spans
-                .iter()
-                .map(|s| least_view_cosine_of(frame, s))
-                .fold(1.0, f64::min),
+            least_view_cosine: least(frame, least_view_cosine_of),
+            least_view_cosine_of_pixels: least(frame, least_view_cosine_of_pixels),
             shortest_way: ways(frame).map(shortest).fold(1.0, f64::min),
             shortest_unit_way: ways(frame)
                 .map(|ends| shortest(Wrap::around(None, ends).ends))
@@ -263,19 +262,31 @@ fn shortest([a, b]: [DVec3; 2]) -> f64 {
     (a + delta * foot.clamp(0.0, 1.0)).length()
 }
 
-/// The smallest cosine of a span, as its middle sees an eye at a place, and as its pixels do.
+/// The smallest of a number of each span, 1 at most.
+fn least(frame: &Frame, of: fn(&Frame, &Span) -> f64) -> f64 {
+    frame.spans.iter().map(|span| of(frame, span)).fold(1.0, f64::min)
+}
+
+/// The smallest cosine of a span, as its middle sees an eye at a place.
 fn least_view_cosine_of(frame: &Frame, span: &Span) -> f64 {
     if frame.eye.is_none() {
         return least_view_cosine(frame.end_axes(span));
     }
     let parallel = ParallelSpan::new(frame, span);
-    let of_the_middle = least_view_cosine(parallel.frame.end_axes(parallel.span()));
+    least_view_cosine(parallel.frame.end_axes(parallel.span()))
+}
+
+/// The smallest cosine of a span, as its pixels see an eye at a place.
+fn least_view_cosine_of_pixels(frame: &Frame, span: &Span) -> f64 {
     let [start, end] = frame.end_axes(span);
+    if frame.eye.is_none() {
+        return least_view_cosine([start, end]);
+    }
     let at = |i: u32| {
         let axis = start.lerp(end, span.parameter(i)).try_normalize()?;
         Some(axis.dot(frame.view_from(frame.position_at(span, span.weights(i)))?))
     };
-    (0..span.length).map(|i| at(i).unwrap_or(-1.0)).fold(of_the_middle, f64::min)
+    (0..span.length).map(|i| at(i).unwrap_or(-1.0)).fold(1.0, f64::min)
 }
 
 /// The smallest cosine between the eye and the normals between two ends, -1 if one has no

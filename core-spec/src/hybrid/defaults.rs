@@ -58,16 +58,18 @@ impl ShadingMethod for HybridSpec {
         } = &self.formats;
         let (point, accumulated) = (NarrowingPoint::rounded, NarrowingPoint::accumulated);
         let (linear, quadratic) = ((1, span_bits), (2, span_bits));
+        let finest_square = ways::finest_square(self.places, way_root);
         let intensity = "start and step of the diffuse intensity, rounded by the host";
         let differences = "start and differences of p and q, rounded by the host";
         let points = vec![
             accumulated("diffuse_accumulator", diffuse_accumulator, SIGNED_UNIT, linear, intensity),
             point("diffuse", diffuse, UNIT, "diffuse intensity, clamped to 0..1")
                 .no_finer_than(diffuse_accumulator),
-            accumulated("accumulator", accumulator, Format::signed(3, 0), quadratic, differences),
+            accumulated("accumulator", accumulator, Format::signed(3, 0), quadratic, differences)
+                .with_at_least(finest_square),
             point("operand", operand, SIGNED_UNIT, "p and q as they enter the divider")
                 .no_finer_than(accumulator)
-                .with_at_least(ways::finest_square(self.places, way_root)),
+                .with_at_least(finest_square),
             point("base", base, UNIT, "p/q, and each square of it where power = squaring"),
         ];
         let points = points.into_iter().chain(ways::narrowing_point(self.places, way_root));

@@ -7,7 +7,7 @@ use crate::core_input::InputRole::{self, Exponent, Light, Surface};
 use crate::input_meaning::InputMeaning;
 use crate::inputs::{CoreInputs, MethodInputs, inputs};
 use crate::parameters::CoreParameters;
-use crate::ways::spot_exponent;
+use crate::ways::{spot_axis, spot_exponent};
 
 inputs! {
     /// A vector that is interpolated along the span.
@@ -94,15 +94,14 @@ impl MethodInputs for PhongSpec {
         };
         let is_spot = matches!(kind, Some(LocalKind::Spot { .. }));
         let exponent = || spot_exponent(core, &name("exponent"));
-        let axis =
-            InputMeaning::light("the spot's axis", "the unit vector along which the light shines");
         let dot_view = InputMeaning::light_dot_view();
         let gain = InputMeaning::light("1/|L + V|", "with V = (0, 0, 1); saturated where L = -V");
         let constant = kind.is_none() && !core.local_eye;
         PhongLight {
             direction: kind.is_none().then(|| vector(&InputMeaning::direction(), "direction")),
             way: kind.is_some().then(|| self.way(&TO_LIGHT, &name("way"))),
-            axis: (is_spot && self.places == Places::Exact).then(|| vector(&axis, "axis")),
+            axis: (is_spot && self.places == Places::Exact)
+                .then(|| spot_axis(&name("axis"), f.vector)),
             exponent: is_spot.then(exponent),
             light_dot_view: (constant && self.highlight == Highlight::Reflection)
                 .then(|| CoreInput::between(dot_view, name("light_dot_view"), f.cosine, -1.0, 1.0)),

@@ -69,6 +69,7 @@ impl ShadingMethod for ReflectionSpec {
             shape: _,
         } = &self.formats;
         let point = NarrowingPoint::rounded;
+        let finest_square = ways::finest_square(self.places, way_root);
         let differences = "start and differences of squares and numerators, rounded by the host";
         let points = vec![
             NarrowingPoint::accumulated(
@@ -77,10 +78,11 @@ impl ShadingMethod for ReflectionSpec {
                 Format::signed(3, 0),
                 (2, span_bits),
                 differences,
-            ),
+            )
+            .with_at_least(finest_square),
             point("operand", operand, SIGNED_UNIT, "q = H.H and the numerators")
                 .no_finer_than(accumulator)
-                .with_at_least(ways::finest_square(self.places, way_root)),
+                .with_at_least(finest_square),
             point("reciprocal", reciprocal, Format::unsigned(3, 0), "1/q"),
             point("cosine", cosine, SIGNED_UNIT, "N'.L, N'.V and N'.H, clamped to -1..1, and L.V"),
             point("diffuse", diffuse, UNIT, "N'.L, clamped at 0").no_finer_than(cosine),

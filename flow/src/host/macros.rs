@@ -4,6 +4,7 @@
 /// The statements that a group stands for, a line each: `WORD NAME = ARGUMENTS`. None if
 /// there is no such group.
 ///
+/// - `components NAME = m, k`: m + k i, component by component;
 /// - `linear NAME = m, k, u`: (m + k i).u;
 /// - `squared NAME = m, k`: the squared length of m + k i;
 /// - `product NAME = m, k, x, y`: (m + k i).(x + y i);
@@ -11,6 +12,7 @@
 pub fn expanded(word: &str, name: &str, arguments: &str) -> Option<String> {
     let mut arguments = arguments.split(", ");
     let (template, names): (&str, &[&str]) = match word {
+        "components" => (COMPONENTS, &["M", "K"]),
         "linear" => (LINEAR, &["M", "K", "U"]),
         "squared" => (SQUARED, &["M", "K"]),
         "product" => (PRODUCT, &["M", "K", "X", "Y"]),
@@ -23,6 +25,15 @@ pub fn expanded(word: &str, name: &str, arguments: &str) -> Option<String> {
     }
     arguments.next().is_none().then_some(text)
 }
+
+const COMPONENTS: &str = "\
+real {NAME}_x_start = @component_x({M})
+real {NAME}_x_step = @from(1, steps, @component_x({K}))
+real {NAME}_y_start = @component_y({M})
+real {NAME}_y_step = @from(1, steps, @component_y({K}))
+real {NAME}_z_start = @component_z({M})
+real {NAME}_z_step = @from(1, steps, @component_z({K}))
+";
 
 const LINEAR: &str = "\
 real {NAME}_start = @dot({M}, {U})

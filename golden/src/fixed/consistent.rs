@@ -15,6 +15,7 @@ use super::packet;
 use super::raised::Raised;
 use super::root::reciprocal_square_root;
 use super::span_extent::SpanExtent;
+use super::spot::spotted;
 use super::vector::{Vector, dot};
 use super::vector_ways::VectorWays;
 
@@ -137,7 +138,7 @@ impl Method for Consistent {
         let (normal, has_direction) = self.normal(span, i, observer);
         let mirror = Mirror { normal, q: self.contraction(span, i, observer), has_direction };
         let view = match &span.eye {
-            Some(eye) => self.direction("eye", eye, i, observer),
+            Some(eye) => self.direction(["eye_", "eye", "view"], eye, i, observer),
             None => Some(EYE),
         };
         let reflection = self.reflection("", &mirror, &view.unwrap_or_default(), observer);
@@ -169,7 +170,7 @@ impl Consistent {
         light: &VectorLight<Wide>,
         observer: &mut impl Observer,
     ) -> Intensities<Wide> {
-        let direction = self.direction("way", &light.way, pixel.i, observer);
+        let direction = self.direction(["way_", "way", "direction"], &light.way, pixel.i, observer);
         let l = direction.unwrap_or_default();
         let diffuse = self.diffuse(&pixel.mirror, &l, observer);
         let halfway = (self.highlight == Highlight::Blinn)
@@ -181,46 +182,46 @@ impl Consistent {
             diffuse: if direction.is_some() { diffuse } else { Wide::ZERO },
             specular: if seen { specular } else { Wide::ZERO },
         };
-        self.ways.spotted(observer, light.spot.as_ref(), &l, intensities, &self.formats())
+        let share = self.ways.share(observer, light.spot.as_ref(), &l);
+        spotted(share, intensities, &self.formats())
     }
 
     /// The direction of a way at pixel i, a unit vector; none where it has none.
     fn direction(
         &self,
-        name: &str,
+        [prefix, of, name]: [&str; 3],
         way: &VectorWay<Wide>,
         i: u32,
         observer: &mut impl Observer,
     ) -> Option<Vector> {
-        let vector = self.ways.at(observer, name, way, i);
-        let (unit, exists) = self.normalised(name, &vector, observer);
+        let vector = self.ways.at(observer, of, way, i);
+        let (unit, exists) = self.normalised([prefix, name], &vector, observer);
         exists.then_some(unit)
     }
 
     /// (L + V)/|L + V|.
     fn halfway(&self, l: &Vector, v: &Vector, observer: &mut impl Observer) -> Vector {
         let half = std::array::from_fn(|c| (l[c] + v[c]) >> 1);
-        self.normalised("halfway", &half, observer).0
+        self.normalised(["halfway_", "halfway"], &half, observer).0
     }
 
     /// A vector over its length, and whether it has a direction.
     fn normalised(
         &self,
-        name: &str,
+        [prefix, name]: [&str; 2],
         vector: &Vector,
         observer: &mut impl Observer,
     ) -> (Vector, bool) {
         let f = &self.formats;
         let z = narrow(
             observer,
-            format_args!("{name}_length_squared"),
+            format_args!("{prefix}length_squared"),
             dot(vector, vector),
             f.length_squared,
         );
         let gain = reciprocal_square_root(z, f.gain.integer_bits, f.gain.fraction_bits);
-        observer.see(format_args!("{name}_gain"), gain, f.gain);
-        let unit =
-            narrow_vector(observer, &format!("{name}_unit"), vector.map(|c| gain * c), f.vector);
+        observer.see(format_args!("{prefix}gain"), gain, f.gain);
+        let unit = narrow_vector(observer, name, vector.map(|c| gain * c), f.vector);
         (unit, z > Wide::ZERO)
     }
 
@@ -238,18 +239,7 @@ impl Consistent {
         let lerp: Vector =
             std::array::from_fn(|c| span.normal_start[c] + weight * span.normal_delta[c]);
         let interpolated = narrow_vector(observer, "interpolated", lerp, f.vector);
-        let z = narrow(
-            observer,
-            format_args!("length_squared"),
-            dot(&interpolated, &interpolated),
-            f.length_squared,
-        );
-        let gain = reciprocal_square_root(z, f.gain.integer_bits, f.gain.fraction_bits);
-        observer.see(format_args!("gain"), gain, f.gain);
-        (
-            narrow_vector(observer, "normal", interpolated.map(|c| gain * c), f.vector),
-            z > Wide::ZERO,
-        )
+        self.normalised(["", "normal"], &interpolated, observer)
     }
 
     /// q at t, both on the safe side.
@@ -320,7 +310,7 @@ impl Consistent {
         let share = narrow(observer, format_args!("{of}normal_share"), g + rho * b, f.cosine);
         let r = narrow_vector(
             observer,
-            &format!("{of}reflection"),
+            format_args!("{of}reflection"),
             std::array::from_fn(|c| share * n[c] - rho * incoming[c]),
             f.vector,
         );

@@ -11,6 +11,7 @@ use super::observer::{Nobody, Observer, narrow};
 use super::raised::Raised;
 use super::root::reciprocal_square_root;
 use super::span_extent::SpanExtent;
+use super::spot::spotted;
 use super::ways::Ways;
 
 /// The method in one core's formats.
@@ -124,7 +125,7 @@ impl Method for Direct {
         let specular = self.highlight(pixel, along_light, dot_view, observer);
         let intensities = Intensities { diffuse, specular };
         match arrived {
-            Some((_, arrival)) => arrival.spotted(intensities, &self.formats()),
+            Some((_, arrival)) => spotted(arrival.share, intensities, &self.formats()),
             None => intensities,
         }
     }

@@ -13,6 +13,7 @@ use super::number::{Wide, round_signed_quotient};
 use super::observer::Observer;
 use super::raised::Raised;
 use super::span_extent::SpanExtent;
+use super::spot::spotted;
 use super::ways::{Arrival, Ways};
 
 /// The method in one core's formats.
@@ -116,7 +117,7 @@ impl Method for Duff {
         let specular = self.power.raise(observer, base, pixel.exponent);
         let intensities = Intensities { diffuse, specular };
         match arrival {
-            Some(arrival) => arrival.spotted(intensities, &self.formats()),
+            Some(arrival) => spotted(arrival.share, intensities, &self.formats()),
             None => intensities,
         }
     }
@@ -134,7 +135,7 @@ impl Duff {
     fn common(&self, span: &DuffSpan<Wide>, i: u32, observer: &mut impl Observer) -> Pixel {
         let f = &self.formats;
         let q = self.quadratic().quadratic(observer, "denominator", &span.denominator, i);
-        let s = root(observer, q, f.root);
+        let s = root(observer, "root", q, f.root);
         let eye = span.eye.as_ref().map(|eye| self.ways.eye(observer, eye, i));
         let view = match (&span.view, eye) {
             (_, Some((view, _))) => Some(view),

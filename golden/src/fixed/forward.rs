@@ -19,7 +19,7 @@ impl Accumulator {
     pub fn linear(
         self,
         observer: &mut impl Observer,
-        name: &str,
+        name: impl fmt::Display,
         linear: &Linear<Wide>,
         i: u32,
     ) -> Wide {
@@ -34,7 +34,7 @@ impl Accumulator {
     pub fn quadratic(
         self,
         observer: &mut impl Observer,
-        name: &str,
+        name: impl fmt::Display,
         quadratic: &Quadratic<Wide>,
         i: u32,
     ) -> Wide {

@@ -1,4 +1,6 @@
 //! Cosines and bases of highlights, and their powers.
+use std::fmt;
+
 use specula_spec::Format;
 
 use super::number::{Wide, round_quotient, round_to};
@@ -6,20 +8,25 @@ use super::observer::{Observer, narrow};
 use super::root::reciprocal_square_root;
 
 /// s = 1/√max(q, 4^-m) with m the format's integer bits, and 0 where q ≤ 0.
-pub(super) fn root(observer: &mut impl Observer, q: Wide, format: Format) -> Wide {
+pub(super) fn root(
+    observer: &mut impl Observer,
+    name: impl fmt::Display,
+    q: Wide,
+    format: Format,
+) -> Wide {
     let root = if q > Wide::ZERO {
         reciprocal_square_root(q, format.integer_bits, format.fraction_bits)
     } else {
         Wide::ZERO
     };
-    observer.see(format_args!("root"), root, format);
+    observer.see(format_args!("{name}"), root, format);
     root
 }
 
 /// u·N s, kept within -1 to 1; `product` is exact.
 pub(super) fn cosine(
     observer: &mut impl Observer,
-    name: &str,
+    name: impl fmt::Display,
     product: Wide,
     format: Format,
 ) -> Wide {

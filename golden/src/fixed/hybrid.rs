@@ -11,6 +11,7 @@ use super::number::{Wide, round_to};
 use super::observer::Observer;
 use super::raised::Raised;
 use super::span_extent::SpanExtent;
+use super::spot::share_of;
 use super::ways::Ways;
 
 /// The method in one core's formats.
@@ -124,8 +125,9 @@ impl Method for Hybrid {
         Intensities {
             // What a spot leaves of the diffuse light is part of the vertices' intensities.
             diffuse: self.diffuse(light, pixel.i, observer),
-            specular: arrived
-                .map_or(specular, |(_, arrival)| arrival.share_of(specular, self.power.format())),
+            specular: arrived.map_or(specular, |(_, arrival)| {
+                share_of(arrival.share, specular, self.power.format())
+            }),
         }
     }
 }

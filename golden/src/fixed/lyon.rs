@@ -15,6 +15,7 @@ use super::observer::{Observer, narrow, narrow_vector};
 use super::packet;
 use super::root::reciprocal_square_root;
 use super::span_extent::SpanExtent;
+use super::spot::spotted;
 use super::vector::{Vector, cross, dot};
 use super::vector_ways::VectorWays;
 use super::wrapped::{WrapFormats, wrapped};
@@ -148,7 +149,7 @@ impl Method for Lyon {
             None => self.normal(span, i, observer),
         };
         let view = match &span.eye {
-            Some(eye) => self.direction("eye", eye, i, observer),
+            Some(eye) => self.direction(["eye_", "eye", "view"], eye, i, observer),
             None => (EYE, true),
         };
         Pixel { normal, has_direction, i, view, shininess: span.shininess }
@@ -184,7 +185,8 @@ impl Lyon {
         light: &VectorLight<Wide>,
         observer: &mut impl Observer,
     ) -> Intensities<Wide> {
-        let (l, exists) = self.direction("way", &light.way, pixel.i, observer);
+        let (l, exists) =
+            self.direction(["way_", "way", "direction"], &light.way, pixel.i, observer);
         let (v, is_seen) = &pixel.view;
         let diffuse = self.diffuse(&pixel.normal, &l, observer);
         let difference = if self.difference.takes_halfway() {
@@ -200,19 +202,20 @@ impl Lyon {
         let is_lit = pixel.has_direction && exists && *is_seen;
         let specular = if is_lit { highlight } else { Wide::ZERO };
         let intensities = Intensities { diffuse, specular };
-        self.ways.spotted(observer, light.spot.as_ref(), &l, intensities, &self.formats())
+        let share = self.ways.share(observer, light.spot.as_ref(), &l);
+        spotted(share, intensities, &self.formats())
     }
 
     /// A way at pixel i, brought near unit length as normals are, and whether it has a direction.
     fn direction(
         &self,
-        name: &str,
+        [prefix, of, name]: [&str; 3],
         way: &VectorWay<Wide>,
         i: u32,
         observer: &mut impl Observer,
     ) -> (Vector, bool) {
-        let vector = self.ways.at(observer, name, way, i);
-        self.normalised(name, &vector, (self.normalisation, self.newton_steps), observer)
+        let vector = self.ways.at(observer, of, way, i);
+        self.normalised([prefix, name], &vector, self.normalisation(), observer)
     }
 
     /// h of about unit length, made of L and V (methods B6, B7).
@@ -223,13 +226,13 @@ impl Lyon {
             Halfway::Unit => (Normalisation::Exact, 0),
             Halfway::HalfG2 => (Normalisation::G2, 0),
         };
-        self.normalised("halfway", &half, by, observer).0
+        self.normalised(["halfway_", "halfway"], &half, by, observer).0
     }
 
     /// A vector brought near unit length, and whether it has a direction.
     fn normalised(
         &self,
-        name: &str,
+        [prefix, name]: [&str; 2],
         vector: &Vector,
         by: (Normalisation, u32),
         observer: &mut impl Observer,
@@ -240,13 +243,13 @@ impl Lyon {
         }
         let z = narrow(
             observer,
-            format_args!("{name}_length_squared"),
+            format_args!("{prefix}length_squared"),
             dot(vector, vector),
             f.length_squared,
         );
         let gain = self.gain(z, by, observer);
         let unit = vector.map(|c| gain * c);
-        (narrow_vector(observer, &format!("{name}_unit"), unit, f.vector), z != Wide::ZERO)
+        (narrow_vector(observer, name, unit, f.vector), z != Wide::ZERO)
     }
 
     /// n = g N', with N' = N0 + a (N1 - N0), and whether N' has a direction.
@@ -266,20 +269,12 @@ impl Lyon {
             let normal = wrapped(observer, ["wrap", "normal"], &interpolated, axis, formats).vector;
             return (normal, normal != [Wide::ZERO; 3]);
         }
-        if self.normalisation == Normalisation::None {
-            return (interpolated, interpolated != [Wide::ZERO; 3]);
-        }
-        let z = narrow(
-            observer,
-            format_args!("length_squared"),
-            dot(&interpolated, &interpolated),
-            f.length_squared,
-        );
-        let gain = self.gain(z, (self.normalisation, self.newton_steps), observer);
-        (
-            narrow_vector(observer, "normal", interpolated.map(|c| gain * c), f.vector),
-            z != Wide::ZERO,
-        )
+        self.normalised(["", "normal"], &interpolated, self.normalisation(), observer)
+    }
+
+    /// The normalisation of normals and of ways, and its Newton steps.
+    fn normalisation(&self) -> (Normalisation, u32) {
+        (self.normalisation, self.newton_steps)
     }
 
     /// N' = N0 + a (N1 - N0); none of flat normals.

@@ -26,6 +26,7 @@ mod root;
 mod shader;
 mod slerp;
 mod span_extent;
+mod spot;
 mod vector;
 mod vector_ways;
 mod ways;

@@ -103,7 +103,7 @@ pub(super) fn narrow(
 #[inline(always)]
 pub(super) fn narrow_vector(
     observer: &mut impl Observer,
-    name: &str,
+    name: impl fmt::Display,
     vector: Vector,
     format: Format,
 ) -> Vector {

@@ -193,7 +193,7 @@ impl Phong {
     ) -> Option<Unit> {
         let f = &self.formats;
         let lerp: Vector = std::array::from_fn(|c| way.start[c] + weight * way.delta[c]);
-        let vector = narrow_vector(observer, &format!("{name}_interpolated"), lerp, f.vector);
+        let vector = narrow_vector(observer, format_args!("{name}_interpolated"), lerp, f.vector);
         if let Some(axis) = &way.axis {
             let formats =
                 WrapFormats { operand: f.wrap_operand, ratio: f.wrap_ratio, vector: f.vector };

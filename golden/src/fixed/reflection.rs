@@ -16,6 +16,7 @@ use super::number::{Wide, round_quotient};
 use super::observer::Observer;
 use super::raised::Raised;
 use super::span_extent::SpanExtent;
+use super::spot::spotted;
 use super::ways::Ways;
 
 /// The largest 1/q.
@@ -121,11 +122,11 @@ impl Reflection {
         [h_dot_n, q, w, root]: [Wide; 4],
         i: u32,
     ) -> Wide {
-        let h = self.ways.quadratic(observer, &format!("{name}_bisecting"), bisecting, i);
-        let n = self.ways.linear(observer, &format!("{name}_fixed"), fixed, i);
+        let h = self.ways.quadratic(observer, format_args!("{name}_bisecting"), bisecting, i);
+        let n = self.ways.linear(observer, format_args!("{name}_fixed"), fixed, i);
         let p = self.ways.reflected(observer, [h, h_dot_n], n, q);
-        let along = self.ways.cosine(observer, &format!("{name}_along"), p, w);
-        cosine(observer, &format!("{name}_cosine"), along * root, self.formats.cosine)
+        let along = self.ways.cosine(observer, format_args!("{name}_along"), p, w);
+        cosine(observer, format_args!("{name}_cosine"), along * root, self.formats.cosine)
     }
 
     /// The intensities of a light whose way is followed.
@@ -156,7 +157,7 @@ impl Reflection {
             }
         };
         let specular = self.power.raise(observer, base, pixel.exponent);
-        arrival.spotted(Intensities { diffuse, specular }, &self.formats())
+        spotted(arrival.share, Intensities { diffuse, specular }, &self.formats())
     }
 
     /// The base of the highlight, 0 to 1.

@@ -16,6 +16,7 @@ use super::observer::{Observer, narrow, narrow_vector};
 use super::packet;
 use super::raised::Raised;
 use super::span_extent::SpanExtent;
+use super::spot::spotted;
 use super::vector::{Vector, dot};
 use super::ways::Ways;
 
@@ -204,8 +205,8 @@ impl Slerp {
         observer: &mut impl Observer,
     ) -> Wide {
         let linear = |observer: &mut _, part: &str, linear: Option<&Linear<Wide>>| {
-            let name = format!("{name}_{part}");
-            linear.map_or(Wide::ZERO, |linear| self.ways.linear(observer, &name, linear, i))
+            let name = format_args!("{name}_{part}");
+            linear.map_or(Wide::ZERO, |linear| self.ways.linear(observer, name, linear, i))
         };
         let exact = match (normal, &way.vector) {
             (Some(normal), Some(VectorWay { x, y, z })) => {
@@ -236,7 +237,7 @@ impl Slerp {
         let diffuse = self.diffuse(n_dot_l, observer);
         let base = self.base(n_dot_l, pixel.n_dot_v, arrival.dot_view, observer);
         let specular = self.power.raise(observer, base, pixel.exponent);
-        arrival.spotted(Intensities { diffuse, specular }, &self.formats())
+        spotted(arrival.share, Intensities { diffuse, specular }, &self.formats())
     }
 
     /// The weights of start and end.

@@ -2,24 +2,22 @@
 //! Barrera and Bengtsson, eq. 35; methods C15; `docs/arithmetic/ways.md`].
 use std::fmt;
 
-use specula_spec::ways::{EyeCosine, LightCosine, LightWay, SpotWay, WayFormats};
-use specula_spec::{CoreParameters, Format, Linear, Quadratic};
+use specula_spec::ways::{EyeCosine, LightCosine, LightWay, WayFormats};
+use specula_spec::{CoreParameters, Linear, Quadratic};
 
 use super::error::PacketError;
 use super::forward::Accumulator;
-use super::highlight::cosine;
-use super::method::Intensities;
+use super::highlight::{cosine, root};
 use super::number::{Wide, round_to};
 use super::observer::{Observer, narrow};
-use super::power::Power;
 use super::root::reciprocal_square_root;
 use super::span_extent::SpanExtent;
+use super::spot::Spots;
 
 /// Ways in one core's formats.
 pub(super) struct Ways {
     formats: WayFormats,
-    /// Of all spots.
-    spot_power: Power,
+    spots: Option<Spots>,
 }
 
 /// What a way to a light makes of it at one pixel.
@@ -30,13 +28,12 @@ pub(super) struct Arrival {
     /// L·V.
     pub dot_view: Wide,
     /// What a spot leaves of the light.
-    share: Option<Wide>,
+    pub share: Option<Wide>,
 }
 
 impl Ways {
     pub fn new(core: &CoreParameters, formats: WayFormats) -> Ways {
-        let exponent_bits = u32::BITS - core.largest_spot_exponent().leading_zeros();
-        Ways { formats, spot_power: Power::new(exponent_bits, formats.shape.fraction_bits) }
+        Ways { formats, spots: Spots::new(core, formats.base, formats.shape) }
     }
 
     /// Whether the way to the eye stays where it can be.
@@ -99,7 +96,7 @@ impl Ways {
     pub fn quadratic(
         &self,
         observer: &mut impl Observer,
-        name: &str,
+        name: impl fmt::Display,
         quadratic: &Quadratic<Wide>,
         i: u32,
     ) -> Wide {
@@ -110,7 +107,7 @@ impl Ways {
     pub fn linear(
         &self,
         observer: &mut impl Observer,
-        name: &str,
+        name: impl fmt::Display,
         linear: &Linear<Wide>,
         i: u32,
     ) -> Wide {
@@ -125,22 +122,15 @@ impl Ways {
         squared: &Quadratic<Wide>,
         i: u32,
     ) -> Wide {
-        let q = self.quadratic(observer, &format!("{name}_squared"), squared, i);
-        let format = self.formats.root;
-        let root = if q > Wide::ZERO {
-            reciprocal_square_root(q, format.integer_bits, format.fraction_bits)
-        } else {
-            Wide::ZERO
-        };
-        observer.see(format_args!("{name}_root"), root, format);
-        root
+        let q = self.quadratic(observer, format_args!("{name}_squared"), squared, i);
+        root(observer, format_args!("{name}_root"), q, self.formats.root)
     }
 
     /// A scalar over the length of a way, as an operand, kept within -1 to 1.
     pub fn cosine(
         &self,
         observer: &mut impl Observer,
-        name: &str,
+        name: impl fmt::Display,
         scalar: Wide,
         root: Wide,
     ) -> Wide {
@@ -182,25 +172,11 @@ impl Ways {
             Some(eye) => self.cosine(observer, "way_view", dot_view, root) * eye,
         };
         let dot_view = cosine(observer, "dot_view", dot_view, self.formats.cosine);
-        let share = way.spot.as_ref().map(|spot| self.share(observer, spot, root, i));
+        let share = way.spot.as_ref().zip(self.spots.as_ref()).map(|(spot, spots)| {
+            let axis = self.linear(observer, "spot_axis", &spot.axis, i);
+            spots.share(observer, axis * root, spot.exponent)
+        });
         Arrival { root, dot_view, share }
-    }
-
-    /// max(S·L, 0)^p.
-    fn share(
-        &self,
-        observer: &mut impl Observer,
-        spot: &SpotWay<Wide>,
-        root: Wide,
-        i: u32,
-    ) -> Wide {
-        let (base, shape) = (self.formats.base, self.formats.shape);
-        let axis = self.linear(observer, "spot_axis", &spot.axis, i);
-        let cosine = round_to(axis * root, base.fraction_bits).clamp(Wide::ZERO, Wide::ONE);
-        observer.see(format_args!("spot_base"), cosine, base);
-        let share = self.spot_power.raise(cosine, spot.exponent.to_num());
-        observer.see(format_args!("spot"), share, shape);
-        share
     }
 
     /// H·n = (n·L + n·V)/|L + V| with H half-way between L and V, kept within 0 to 1; 0 where one
@@ -233,24 +209,5 @@ impl Ways {
     ) -> Wide {
         let exact = ((a * b) << 1) - d * q;
         narrow(observer, format_args!("numerator"), exact, self.formats.operand)
-    }
-}
-
-impl Arrival {
-    /// An amount of a spot's light, rounded to its format; of any other light it is as it was.
-    pub fn share_of(&self, amount: Wide, format: Format) -> Wide {
-        self.share.map_or(amount, |share| round_to(share * amount, format.fraction_bits))
-    }
-
-    /// The same of both.
-    pub fn spotted(
-        &self,
-        Intensities { diffuse, specular }: Intensities<Wide>,
-        formats: &Intensities<Format>,
-    ) -> Intensities<Wide> {
-        Intensities {
-            diffuse: self.share_of(diffuse, formats.diffuse),
-            specular: self.share_of(specular, formats.specular),
-        }
     }
 }

@@ -8,7 +8,6 @@ use specula_spec::{CoreParameters, Format, InputPort};
 use super::common::{Intensities, SHORTEST_NORMAL, eye, finish, time_slots};
 use super::forward::Forward;
 use super::vector_ways::{VectorWays, alike};
-use super::ways::spots;
 use crate::error;
 use crate::error::consistent_reflection::highlight;
 use crate::units::{self, ExactNormalisation, Interpolation, SpanAngles, SpanNormals};
@@ -61,14 +60,8 @@ pub(super) fn core(
     let q = units::contraction(&b, angles, consistent.curve, f, steps);
     let least_q = Interval::at_least(least_contraction(parameters, consistent.curve));
     let q = q.real_within(least_q, "no angle is larger than that of a vertex");
-    let ways = VectorWays {
-        forward: Forward { b: &b, first: &slots.first_pixel, steps },
-        parameters,
-        vector: f.vector,
-        base: f.base,
-        shape: f.shape,
-        spots: spots(&b, parameters, &slots),
-    };
+    let forward = Forward { b: &b, first: &slots.first_pixel, steps };
+    let ways = VectorWays::new(forward, parameters, [f.vector, f.base, f.shape], &slots);
     let view = match &inputs.span.eye {
         Some(eye) => direction(&ways, "eye", eye, to),
         None => (eye(&b), b.integer(1)),
@@ -156,7 +149,9 @@ impl Pixel<'_> {
             diffuse: exists.choose(&diffuse, &zero),
             specular: exists.and(is_seen).choose(&specular, &zero),
         };
-        self.ways.spotted(index, light, &l, intensities)
+        let formats = [self.consistent.formats.diffuse, self.consistent.power_unit().format()];
+        let bits = formats.map(|format| format.fraction_bits);
+        self.ways.spotted(index, light, &l, (intensities, bits))
     }
 
     fn intensities(

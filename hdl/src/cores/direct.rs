@@ -206,7 +206,10 @@ impl Pixel<'_> {
             specular: b.instance(&called("power"), power),
         };
         match arrival {
-            Some(arrival) => arrival.spotted(intensities),
+            Some(arrival) => {
+                let formats = [self.direct.formats.diffuse, self.direct.power_unit().format()];
+                arrival.spotted(intensities, formats.map(|format| format.fraction_bits))
+            }
             None => intensities,
         }
     }

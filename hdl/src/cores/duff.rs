@@ -28,14 +28,7 @@ pub(super) fn core(
     let q = squared_normal(q, parameters);
     let length = b.instance("root", || units::root(&b, &q, f.root));
     let ways = Ways::new(forward, parameters, duff.ways(), &slots);
-    let (view, eye) = match (&inputs.span.view, &inputs.span.eye) {
-        (_, Some(eye)) => {
-            let (view, length) = ways.eye(eye);
-            (Some(view), Some(length))
-        }
-        (Some(view), None) => (Some(forward.linear("view", view, f.operand.fraction_bits)), None),
-        (None, None) => (None, None),
-    };
+    let (view, eye) = ways.view(inputs.span.view.as_ref(), inputs.span.eye.as_ref());
     let view = view.map(|view| view.named("n_dot_v"));
     let of_unit = matches!(duff.specular, Highlight::Eq34 | Highlight::Blinn);
     let view_cosine = view.as_ref().filter(|_| of_unit).map(|view| {
@@ -92,7 +85,10 @@ impl Pixel<'_> {
             specular: b.instance(&called("power"), power),
         };
         match &lit.arrival {
-            Some(arrival) => arrival.spotted(intensities),
+            Some(arrival) => {
+                let formats = [self.duff.formats.diffuse, self.duff.power_unit().format()];
+                arrival.spotted(intensities, formats.map(|format| format.fraction_bits))
+            }
             None => intensities,
         }
     }

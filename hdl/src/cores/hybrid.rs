@@ -31,14 +31,7 @@ pub(super) fn core(
         .named("q");
     let q = squared_normal(q, parameters);
     let ways = Ways::new(forward, parameters, hybrid.ways(), &slots);
-    let (view, eye) = match (&inputs.span.view, &inputs.span.eye) {
-        (_, Some(eye)) => {
-            let (view, length) = ways.eye(eye);
-            (Some(view), Some(length))
-        }
-        (Some(view), None) => (Some(ways.linear("view", view)), None),
-        (None, None) => (None, None),
-    };
+    let (view, eye) = ways.view(inputs.span.view.as_ref(), inputs.span.eye.as_ref());
     let exponent = &inputs.span.exponent;
     let pixel =
         Pixel { ways: &ways, hybrid, view: view.as_ref(), eye: eye.as_ref(), q: &q, exponent };
@@ -73,7 +66,10 @@ impl Pixel<'_> {
             (b.instance(&called("diffuse"), gouraud), b.instance(&called("power"), power));
         // What a spot leaves of the diffuse light is part of the vertices' intensities.
         match arrival {
-            Some(arrival) => Intensities { diffuse, specular: arrival.share_of(specular) },
+            Some(arrival) => {
+                let bits = self.hybrid.power_unit().format().fraction_bits;
+                Intensities { diffuse, specular: arrival.share_of(specular, bits) }
+            }
             None => Intensities { diffuse, specular },
         }
     }

@@ -8,7 +8,6 @@ use specula_spec::{CoreParameters, InputPort, LightInputs};
 use super::common::{Intensities, SHORTEST_NORMAL, eye, finish, time_slots, unit_vector};
 use super::forward::Forward;
 use super::vector_ways::{VectorWays, alike};
-use super::ways::spots;
 use crate::error;
 use crate::units::{self, Follow, Interpolation, LengthError, SpanNormals, WrapFormats};
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
@@ -28,14 +27,13 @@ pub(super) fn core(
     let (n, has_direction) = normal(&b, &slots.first_pixel, &inputs.span, parameters, lyon);
     let apart = if slots.count() == 1 { least_distance(&inputs.lights) } else { 0.0 };
     let formats = &lyon.formats;
-    let ways = VectorWays {
-        forward: Forward { b: &b, first: &slots.first_pixel, steps: parameters.longest_span - 1 },
+    let forward = Forward { b: &b, first: &slots.first_pixel, steps: parameters.longest_span - 1 };
+    let ways = VectorWays::new(
+        forward,
         parameters,
-        vector: formats.vector,
-        base: formats.shape,
-        shape: formats.shape,
-        spots: spots(&b, parameters, &slots),
-    };
+        [formats.vector, formats.shape, formats.shape],
+        &slots,
+    );
     let view = match &inputs.span.eye {
         Some(eye) => direction(&ways, lyon, "eye", eye),
         None => (eye(&b), b.integer(1)),
@@ -194,7 +192,9 @@ impl Pixel<'_> {
         let Intensities { diffuse, specular } = self.intensities(index, &l, d);
         let is_lit = exists.and(is_seen);
         let specular = is_lit.choose(&specular, &b.integer(0));
-        self.ways.spotted(index, light, &l, Intensities { diffuse, specular })
+        let formats = [self.lyon.formats.diffuse, self.lyon.formats.shape];
+        let bits = formats.map(|format| format.fraction_bits);
+        self.ways.spotted(index, light, &l, (Intensities { diffuse, specular }, bits))
     }
 
     fn intensities(

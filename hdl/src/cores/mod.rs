@@ -11,6 +11,7 @@ mod lyon;
 mod phong;
 mod reflection;
 mod slerp;
+mod spot;
 mod vector_ways;
 mod ways;
 

@@ -191,7 +191,11 @@ impl Pixel<'_> {
             }
             _ => self.eq34(&called, &cosine, &arrival.dot_view),
         };
-        arrival.spotted(self.intensities(&called, &cosine, &base))
+        let formats = [self.reflection.formats.diffuse, self.reflection.power_unit().format()];
+        arrival.spotted(
+            self.intensities(&called, &cosine, &base),
+            formats.map(|format| format.fraction_bits),
+        )
     }
 
     fn intensities(

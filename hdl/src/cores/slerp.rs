@@ -185,7 +185,11 @@ impl Pixel<'_> {
         let base = b.instance(&called("base"), || {
             units::reflected_cosine(b, self.n_dot_v, &n_dot_l, &arrival.dot_view, bits)
         });
-        arrival.spotted(self.intensities(&called, &n_dot_l, &base))
+        let formats = [self.slerp.formats.diffuse, self.slerp.power_unit().format()];
+        arrival.spotted(
+            self.intensities(&called, &n_dot_l, &base),
+            formats.map(|format| format.fraction_bits),
+        )
     }
 
     fn intensities(

@@ -4,6 +4,7 @@ use specula_spec::{CoreParameters, Format, LightInputs};
 
 use super::common::{Intensities, unit_vector};
 use super::forward::Forward;
+use super::spot::{self, Share};
 use super::ways::SHORTEST_WAY;
 use crate::error;
 use crate::units;
@@ -12,18 +13,30 @@ use specula_datapath::builder::{Builder, Sig, TimeSlots, Vector};
 /// The ways of a core.
 pub(super) struct VectorWays<'a> {
     pub forward: Forward<'a>,
-    pub parameters: &'a CoreParameters,
+    parameters: &'a CoreParameters,
     /// Components of ways and of directions.
-    pub vector: Format,
+    vector: Format,
     /// The cosine between a spot's axis and the way from it.
-    pub base: Format,
+    base: Format,
     /// The share of a spot.
-    pub shape: Format,
+    shape: Format,
     /// Whether the light of each pipeline is a spot.
-    pub spots: Vec<Sig>,
+    spots: Vec<Sig>,
 }
 
-impl VectorWays<'_> {
+impl<'a> VectorWays<'a> {
+    /// Those of a core, with components in the format `vector`, and cosines and shares of spots in
+    /// `base` and `shape`.
+    pub fn new(
+        forward: Forward<'a>,
+        parameters: &'a CoreParameters,
+        [vector, base, shape]: [Format; 3],
+        slots: &TimeSlots,
+    ) -> VectorWays<'a> {
+        let spots = spot::spots(forward.b, parameters, slots);
+        VectorWays { forward, parameters, vector, base, shape, spots }
+    }
+
     /// A way at the pixel, no longer than 1 but for what its components are off by.
     pub fn way(&self, name: &str, way: &VectorWay<Sig>) -> Vector {
         let bits = self.vector.fraction_bits;
@@ -36,13 +49,14 @@ impl VectorWays<'_> {
             .no_shorter_than(self.parameters.shortest_way, SHORTEST_WAY)
     }
 
-    /// What a spot leaves of a light from the direction `l`.
+    /// What a spot leaves of diffuse and specular light from the direction `l`, rounded to
+    /// `fraction_bits`.
     pub fn spotted(
         &self,
         index: usize,
         light: &VectorLight<Sig>,
         l: &Vector,
-        intensities: Intensities,
+        (intensities, fraction_bits): (Intensities, [u32; 2]),
     ) -> Intensities {
         let Some(VectorSpot { axis, exponent }) = &light.spot else { return intensities };
         let called = |part: &str| format!("light{index}_{part}");
@@ -55,31 +69,20 @@ impl VectorWays<'_> {
         let share = b.instance(&called("spot"), || {
             units::any_power_up_to(b, &cosine, exponent, largest, bits)
         });
-        let is_spot = &self.spots[index];
-        let of = |amount: Sig| {
-            let bits = amount.format().fraction_bits;
-            is_spot.choose(&(&amount * &share).rounded(bits), &amount)
-        };
-        Intensities { diffuse: of(intensities.diffuse), specular: of(intensities.specular) }
+        Share { is_spot: self.spots[index].clone(), share }.spotted(intensities, fraction_bits)
     }
 }
 
-/// Gives lights that share a pipeline the inputs of spots if one of them is a spot, 0 where they
-/// are none; `way` finds a light's.
+/// Gives lights that share a pipeline the same inputs; `way` finds a light's.
 pub(super) fn alike<L>(
     b: &Builder,
     slots: &TimeSlots,
     lights: &mut [LightInputs<L, Sig>],
     way: impl Fn(&mut L) -> Option<&mut VectorLight<Sig>>,
 ) {
-    let mut ways: Vec<&mut VectorLight<Sig>> =
-        lights.iter_mut().filter_map(|inputs| way(&mut inputs.light)).collect();
-    if slots.count() == 1 || ways.iter().all(|way| way.spot.is_none()) {
-        return;
-    }
-    let zero = || b.integer(0);
-    for way in &mut ways {
-        way.spot
-            .get_or_insert_with(|| VectorSpot { axis: [zero(), zero(), zero()], exponent: zero() });
-    }
+    let none = |zero: &Sig| VectorSpot {
+        axis: [zero.clone(), zero.clone(), zero.clone()],
+        exponent: zero.clone(),
+    };
+    spot::alike(b, slots, lights, |light| way(light).map(|way| &mut way.spot), none);
 }

@@ -4,6 +4,7 @@ use specula_spec::{CoreParameters, LightInputs, Linear, Quadratic};
 
 use super::common::Intensities;
 use super::forward::Forward;
+use super::spot::{self, Share};
 use crate::units::{self, Length, ReciprocalRoot};
 use specula_datapath::bound::Interval;
 use specula_datapath::builder::{Builder, Sig, TimeSlots};
@@ -27,8 +28,8 @@ pub(super) struct Arrival {
     pub length: Length,
     /// L·V.
     pub dot_view: Sig,
-    /// Whether it is a spot, and what that leaves of the light.
-    share: Option<[Sig; 2]>,
+    /// What a spot leaves of the light.
+    share: Option<Share>,
 }
 
 impl<'a> Ways<'a> {
@@ -38,7 +39,7 @@ impl<'a> Ways<'a> {
         formats: WayFormats,
         slots: &TimeSlots,
     ) -> Ways<'a> {
-        Ways { forward, parameters, formats, spots: spots(forward.b, parameters, slots) }
+        Ways { forward, parameters, formats, spots: spot::spots(forward.b, parameters, slots) }
     }
 
     /// A quadratic from -1 to 1 at the pixel, as an operand.
@@ -82,6 +83,18 @@ impl<'a> Ways<'a> {
         (self.cosine("eye_cosine", &normal, &length), length)
     }
 
+    /// N·V where it is asked for, and what divides by the way to an eye at a place.
+    pub fn view(
+        &self,
+        view: Option<&Linear<Sig>>,
+        eye: Option<&EyeCosine<Sig>>,
+    ) -> (Option<Sig>, Option<Length>) {
+        match eye.map(|eye| self.eye(eye)) {
+            Some((view, length)) => (Some(view), Some(length)),
+            None => (view.map(|view| self.linear("view", view)), None),
+        }
+    }
+
     /// N·L, and what else the way to a light makes of it.
     pub fn light(
         &self,
@@ -112,8 +125,8 @@ impl<'a> Ways<'a> {
         Arrival { length, dot_view, share }
     }
 
-    /// Whether a light is a spot, and max(S·L, 0)^p.
-    fn share(&self, index: usize, spot: &SpotWay<Sig>, length: &Length) -> [Sig; 2] {
+    /// The share of a spot, max(S·L, 0)^p.
+    fn share(&self, index: usize, spot: &SpotWay<Sig>, length: &Length) -> Share {
         let called = |part: &str| format!("light{index}_{part}");
         let (b, base_bits) = (self.forward.b, self.formats.base.fraction_bits);
         let axis = self.linear(&called("spot_axis"), &spot.axis);
@@ -125,7 +138,7 @@ impl<'a> Ways<'a> {
         let share = b.instance(&called("spot"), || {
             units::any_power_up_to(b, &cosine, &spot.exponent, largest, bits)
         });
-        [self.spots[index].clone(), share]
+        Share { is_spot: self.spots[index].clone(), share }
     }
 
     /// H·n = (n·L + n·V)/|L + V|, kept within 0 to 1; 0 where one of them has no direction.
@@ -157,44 +170,30 @@ impl<'a> Ways<'a> {
 }
 
 impl Arrival {
-    /// What a spot leaves of an amount of light, with as many fraction bits.
-    pub fn share_of(&self, amount: Sig) -> Sig {
-        let Some([is_spot, share]) = &self.share else { return amount };
-        let bits = amount.format().fraction_bits;
-        is_spot.choose(&(&amount * share).rounded(bits), &amount)
+    /// What a spot leaves of an amount of light, rounded to `fraction_bits`.
+    pub fn share_of(&self, amount: Sig, fraction_bits: u32) -> Sig {
+        self.share.as_ref().map_or(amount.clone(), |share| share.of(&amount, fraction_bits))
     }
 
-    /// The same of both.
-    pub fn spotted(&self, Intensities { diffuse, specular }: Intensities) -> Intensities {
-        Intensities { diffuse: self.share_of(diffuse), specular: self.share_of(specular) }
+    /// What a spot leaves of diffuse and specular light, rounded to `fraction_bits`.
+    pub fn spotted(&self, intensities: Intensities, fraction_bits: [u32; 2]) -> Intensities {
+        match &self.share {
+            Some(share) => share.spotted(intensities, fraction_bits),
+            None => intensities,
+        }
     }
 }
 
-/// Whether the light of each pipeline is a spot.
-pub(super) fn spots(b: &Builder, parameters: &CoreParameters, slots: &TimeSlots) -> Vec<Sig> {
-    let is_spot = |index| i64::from(parameters.spot_exponent(index).is_some());
-    let spots: Vec<Sig> = (0..parameters.lights).map(|index| b.integer(is_spot(index))).collect();
-    if slots.count() == 1 { spots } else { vec![slots.multiplexed(&spots)] }
-}
-
-/// Gives lights that share a pipeline the inputs of spots if one of them is a spot, 0 where they
-/// are none; `way` finds a light's.
+/// Gives lights that share a pipeline the same inputs; `way` finds a light's.
 pub(super) fn alike<L>(
     b: &Builder,
     slots: &TimeSlots,
     lights: &mut [LightInputs<L, Sig>],
     way: impl Fn(&mut L) -> Option<&mut LightWay<Sig>>,
 ) {
-    let mut ways: Vec<&mut LightWay<Sig>> =
-        lights.iter_mut().filter_map(|inputs| way(&mut inputs.light)).collect();
-    if slots.count() == 1 || ways.iter().all(|way| way.spot.is_none()) {
-        return;
-    }
-    let zero = || b.integer(0);
-    for way in &mut ways {
-        way.spot.get_or_insert_with(|| SpotWay {
-            axis: Linear { start: zero(), step: zero() },
-            exponent: zero(),
-        });
-    }
+    let none = |zero: &Sig| SpotWay {
+        axis: Linear { start: zero.clone(), step: zero.clone() },
+        exponent: zero.clone(),
+    };
+    spot::alike(b, slots, lights, |light| way(light).map(|way| &mut way.spot), none);
 }

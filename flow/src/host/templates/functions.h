@@ -10,6 +10,12 @@ static inline struct @vector @eye(void) {
   const struct @vector v = {0, 0, 1};
   return v;
 }
+=== component_x
+static inline @real @component_x(struct @vector a) { return a.x; }
+=== component_y
+static inline @real @component_y(struct @vector a) { return a.y; }
+=== component_z
+static inline @real @component_z(struct @vector a) { return a.z; }
 === dot
 static inline @real @dot(struct @vector a, struct @vector b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;

@@ -2,6 +2,15 @@
 def @eye():
     """V, the direction to an eye at infinity."""
     return np.array([[0.0], [0.0], [1.0]])
+=== component_x
+def @component_x(a):
+    return a[0]
+=== component_y
+def @component_y(a):
+    return a[1]
+=== component_z
+def @component_z(a):
+    return a[2]
 === dot
 def @dot(a, b):
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
