@@ -23,7 +23,7 @@ pub struct SpeedClaim {
 pub enum Outcome {
     /// It holds.
     Holds,
-    /// Both take the same time, within [`SAME`].
+    /// Both take the same time, within 5 %.
     Equal,
     /// It does not hold.
     Fails,
