@@ -12,7 +12,7 @@ use crate::method::{Method, MethodSpec};
 use crate::narrowing::NarrowingPoint;
 use crate::options::CoreOptions;
 use crate::parameters::CoreParameters;
-use crate::shading_method::Viewpoint;
+use crate::shading_method::{DirectionOutput, Viewpoint};
 use crate::specialisation::Specialisation;
 use crate::target_clock::TargetClock;
 
@@ -106,6 +106,11 @@ impl CoreSpec {
     /// The same core for any frame.
     pub fn general(&self) -> CoreSpec {
         CoreSpec { specialisation: Specialisation::default(), ..self.clone() }
+    }
+
+    /// The directions that leave the core beside a pixel's colour, in the order of their ports.
+    pub fn direction_outputs(&self) -> &'static [DirectionOutput] {
+        self.method.shading().direction_outputs()
     }
 
     /// Where lights and the eye at places are seen from.

@@ -80,7 +80,7 @@ pub use quadratic::Quadratic;
 pub use reflection::{ReflectionInputs, ReflectionSpec};
 pub use scene_core::{CoreError, SceneCore};
 pub use set_up::SetUp;
-pub use shading_method::{OptionDomain, Viewpoint};
+pub use shading_method::{DirectionOutput, OptionDomain, Viewpoint};
 pub use slerp::{SlerpInputs, SlerpSpec};
 pub use spec_file::SpecFile;
 pub use specialisation::{Given, Specialisation};

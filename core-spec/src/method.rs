@@ -76,6 +76,14 @@ macro_rules! methods {
                 }
             }
 
+            /// The options it takes in a scene file that change no pixel, but what leaves beside it.
+            pub const fn output_domains(self) -> &'static [OptionDomain] {
+                match self {
+                    Method::Consistent => ConsistentSpec::OUTPUT_DOMAINS,
+                    _ => &[],
+                }
+            }
+
             /// Its options and formats for a scene with these needs, with `changes` in place of the
             /// defaults.
             pub(crate) fn spec(self, needs: &Needs, changes: &toml::Table) -> Result<MethodSpec, SpecError> {

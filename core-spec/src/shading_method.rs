@@ -28,6 +28,15 @@ pub struct OptionDomain {
     pub values: &'static [&'static str],
 }
 
+/// A direction that leaves a core beside a pixel's colour: three ports, `NAME_x` to `NAME_z`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct DirectionOutput {
+    /// Its name.
+    pub name: &'static str,
+    /// What it is.
+    pub meaning: &'static str,
+}
+
 /// A method's options and formats.
 pub trait ShadingMethod {
     /// Every place where values are rounded, in the order of the data. `span_bits` number the
@@ -58,6 +67,11 @@ pub trait ShadingMethod {
     /// Where lights and the eye at places are seen from.
     fn places_seen_from(&self) -> Viewpoint {
         Viewpoint::Span
+    }
+
+    /// The directions that leave the core beside a pixel's colour, in the order of their ports.
+    fn direction_outputs(&self) -> &'static [DirectionOutput] {
+        &[]
     }
 
     /// The set-up of a frame's spans for a core with this method.

@@ -7,6 +7,7 @@
 //! facts that a core rests on, in every clock, and [`moved_input`] whether what holds for a frame
 //! does. A [`Bench`] puts them together.
 pub mod checker;
+mod directions;
 mod error;
 mod expected;
 mod fault;
@@ -20,6 +21,7 @@ mod steady;
 pub mod trace;
 
 pub use checker::Violation;
+pub use directions::WrongDirection;
 pub use error::BenchError;
 pub use expected::expected_codes;
 pub use image::Image;

@@ -12,6 +12,8 @@ pub struct Monitor<'a> {
     outputs: Vec<NodeId>,
     /// The code of each pixel, in the order in which they entered.
     pub codes: Vec<[u8; 3]>,
+    /// What leaves beside the codes: raw values, pixel by pixel and port by port.
+    pub directions: Vec<i64>,
     /// Clocks in which a pixel left that must not, or must leave and did not.
     pub wrong_clocks: Vec<u64>,
 }
@@ -25,6 +27,7 @@ impl<'a> Monitor<'a> {
             valid_out: design.valid_out,
             outputs: design.outputs.clone(),
             codes: Vec::with_capacity(stimulus.pixels() as usize),
+            directions: vec![],
             wrong_clocks: vec![],
         }
     }
@@ -46,6 +49,7 @@ impl<'a> Monitor<'a> {
                 // Outputs are proven to lie in 0..=255; a channel that is missing counts as 0.
                 let code = |c: usize| channels.get(c).map_or(0, |lanes| lanes.get(row) as u8);
                 self.codes.push([code(0), code(1), code(2)]);
+                self.directions.extend(channels.iter().skip(3).map(|lanes| lanes.get(row)));
             }
         }
     }

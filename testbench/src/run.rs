@@ -14,6 +14,7 @@ use specula_sim::{
 use specula_spec::CoreSpec;
 
 use crate::checker::{self, Facts, Violation};
+use crate::directions::{self, WrongDirection};
 use crate::monitor::Monitor;
 use crate::scoreboard::{self, Comparison, WorstQuantisation};
 use crate::spans::{FrameSpans, KeptSpans};
@@ -126,6 +127,8 @@ pub struct Outcome {
     pub violation: Option<Violation>,
     /// The first input that holds for a frame and did not stand still.
     pub moved_input: Option<MovedInput>,
+    /// The first component of a direction that is not the model's.
+    pub wrong_direction: Option<WrongDirection>,
     /// What the quantisation error is proven to stay within, in LSBs.
     pub bound_lsb: f64,
     /// Clock in which the worst pixel left the core.
@@ -135,7 +138,7 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// Whether every pixel agrees, each in its clock, every stated fact held, every input stood still
+    /// Whether every pixel agrees, with what leaves beside it, each in its clock, every stated fact held, every input stood still
     /// for as long as it has to, and no quantisation error is above its bound.
     ///
     /// Core and bit-true model are given the same packets, so they agree whatever those hold; the
@@ -145,7 +148,8 @@ impl Outcome {
         let as_the_model = self.comparison.mismatches == 0
             && self.wrong_clocks.is_empty()
             && self.violation.is_none()
-            && self.moved_input.is_none();
+            && self.moved_input.is_none()
+            && self.wrong_direction.is_none();
         as_the_model && self.beyond_bound().is_none()
     }
 
@@ -242,7 +246,7 @@ impl<'a> Bench<'a> {
             Flow::Continue
         })?;
         let simulation_seconds = begin.elapsed().as_secs_f64();
-        let Monitor { codes, wrong_clocks, .. } = monitor;
+        let Monitor { codes, directions, wrong_clocks, .. } = monitor;
         let bound_lsb = self.design.error_bound();
         let given = scoreboard::Given { spans, first_pixels, codes: &codes };
         let comparison = scoreboard::compare((self.spec, self.frame), &given, bound_lsb)?;
@@ -259,6 +263,7 @@ impl<'a> Bench<'a> {
             wrong_clocks,
             facts_seen: facts.seen,
             violation: facts.violation,
+            wrong_direction: directions::first_wrong(self.spec, spans, &directions)?,
             moved_input: moved_input(&self.design, &stimulus),
             bound_lsb,
             worst_cycle,

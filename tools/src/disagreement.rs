@@ -1,5 +1,7 @@
 //! Disagreements of a run: everything that differs from what is expected.
-use specula_testbench::{Bench, Mismatch, MovedInput, Outcome, Violation, WorstQuantisation};
+use specula_testbench::{
+    Bench, Mismatch, MovedInput, Outcome, Violation, WorstQuantisation, WrongDirection,
+};
 
 use crate::stream_top::{StreamFault, StreamOutcome};
 
@@ -10,6 +12,8 @@ pub struct Disagreement {
     pub mismatches: u64,
     /// The first such pixel, and the clock in which it leaves the core.
     pub first_mismatch: Option<(Mismatch, u64)>,
+    /// The first component of a direction that is not the model's, and the clock in which it leaves.
+    pub wrong_direction: Option<(WrongDirection, u64)>,
     /// Number of clocks in which a pixel left that was not due, or was due and did not leave.
     pub wrong_clocks: usize,
     /// The first such clock.
@@ -51,6 +55,10 @@ impl Disagreement {
         let disagreement = Disagreement {
             mismatches: outcome.comparison.mismatches,
             first_mismatch: outcome.comparison.first_mismatch.as_ref().map(with_clock),
+            wrong_direction: outcome.wrong_direction.clone().map(|wrong| {
+                let clock = bench.leaving_clock(wrong.span, wrong.pixel);
+                (wrong, clock)
+            }),
             wrong_clocks: outcome.wrong_clocks.len(),
             first_wrong_clock: outcome.wrong_clocks.first().copied(),
             violation: outcome.violation.clone(),
@@ -75,7 +83,8 @@ impl Disagreement {
         // only if nothing else disagrees.
         let moved = self.moved_input.as_ref().map(|moved| moved.clock);
         let stream = self.stream.as_ref().and_then(|fault| fault.cycle);
-        let first = [mismatch, self.first_wrong_clock, violation, moved, stream];
+        let direction = self.wrong_direction.as_ref().map(|(_, clock)| *clock);
+        let first = [mismatch, direction, self.first_wrong_clock, violation, moved, stream];
         let first = first.into_iter().flatten().min();
         first.or(beyond).unwrap_or(0)
     }
@@ -89,6 +98,10 @@ impl Disagreement {
                 self.mismatches, m.x, m.y, m.span, m.pixel
             )
         });
+        let direction = self
+            .wrong_direction
+            .as_ref()
+            .map(|(wrong, clock)| format!("in cycle {clock} {}", wrong.in_words()));
         let clocks = self.first_wrong_clock.map(|clock| {
             format!(
                 "{} cycles in which a pixel left that was not due, or was due and did not leave, first {clock}",
@@ -99,14 +112,15 @@ impl Disagreement {
         let beyond = self.beyond_bound.as_ref().map(BeyondBound::in_words);
         let moved = self.moved_input.as_ref().map(MovedInput::in_words);
         let stream = self.stream.as_ref().map(|fault| fault.in_words.clone());
-        [pixel, clocks, fact, moved, beyond, stream].into_iter().flatten().collect()
+        [pixel, direction, clocks, fact, moved, beyond, stream].into_iter().flatten().collect()
     }
 
     /// Whether an error above its bound is the only disagreement: every pixel is the model's and
     /// leaves in its clock, every fact holds, and every input stands still.
     pub fn is_bound_only(&self) -> bool {
         let holds = self.violation.is_none() && self.moved_input.is_none() && self.stream.is_none();
-        self.mismatches == 0 && self.wrong_clocks == 0 && holds
+        let is_the_model = self.mismatches == 0 && self.wrong_direction.is_none();
+        is_the_model && self.wrong_clocks == 0 && holds
     }
 }
 

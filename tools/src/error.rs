@@ -111,6 +111,15 @@ pub enum ToolError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Stuck(#[from] Stuck),
+    /// Directions leave a core that is to have streams.
+    #[error("pixels in a stream have no place for the directions that leave this core")]
+    #[diagnostic(
+        code(specula::stream::directions),
+        help(
+            "leave out `directions` of `[core.consistent]`, or take the core itself: `generate` without `--ip`, `run` without `--top axis`"
+        )
+    )]
+    DirectionsInStream,
     /// Several files are to go to standard output.
     #[error("a block is many files, which standard output cannot take")]
     #[diagnostic(

@@ -29,7 +29,8 @@ pub struct Port {
     pub computed: Option<String>,
 }
 
-/// The ports of a core: control, the inputs of a frame or a span, and the pixel that leaves.
+/// The ports of a core: control, the inputs of a frame or a span, and the pixel that leaves with
+/// its directions.
 pub fn ports(spec: &CoreSpec, design: &Design) -> Vec<Port> {
     let name = |node: NodeId| design.node(node).name.as_str();
     let mut ports = vec![
@@ -40,7 +41,10 @@ pub fn ports(spec: &CoreSpec, design: &Design) -> Vec<Port> {
     ];
     ports.extend(inputs(spec, design));
     ports.push(control(name(design.valid_out), "out", "a pixel leaves"));
-    ports.extend(design.outputs.iter().map(|&node| output(design, node)));
+    let codes = [("LSB", "8-bit code"); 3];
+    let directions = spec.direction_outputs().iter().flat_map(|output| [("1", output.meaning); 3]);
+    let about = codes.into_iter().chain(directions);
+    ports.extend(design.outputs.iter().zip(about).map(|(&id, about)| output(design, id, about)));
     ports
 }
 
@@ -66,17 +70,17 @@ fn input(design: &Design, node: NodeId, port: &InputPort, meaning: InputMeaning)
     }
 }
 
-fn output(design: &Design, node: NodeId) -> Port {
+fn output(design: &Design, node: NodeId, (unit, meaning): (&'static str, &str)) -> Port {
     let node = design.node(node);
     Port {
         name: node.name.clone(),
         direction: "out",
         bits: node.width(),
         format: Some(node.format().to_string()),
-        range: Some([node.range.low as f64, node.range.high as f64]),
+        range: Some([node.format().value(node.range.low), node.format().value(node.range.high)]),
         held_for: "clock",
-        unit: "LSB",
-        meaning: "8-bit code".to_owned(),
+        unit,
+        meaning: meaning.to_owned(),
         computed: None,
     }
 }

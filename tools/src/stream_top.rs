@@ -59,10 +59,10 @@ impl StreamedFrame {
     ///
     /// # Errors
     /// [`ToolError::NoVectors`] if the frame has no spans, [`ToolError::Stuck`] if the stream stands
-    /// still.
+    /// still; those of [`stream_core`].
     pub fn new(job: &Job, design: &Design, seed: u32) -> Result<StreamedFrame, ToolError> {
         let frame = [frame_vectors(job, usize::MAX)?];
-        let run = StreamRun::new(&core(job, design), &frame, seed)?;
+        let run = StreamRun::new(&stream_core(job, design, SHAPE)?, &frame, seed)?;
         Ok(StreamedFrame { seed, frame, run })
     }
 
@@ -84,7 +84,7 @@ impl StreamedFrame {
         outcome: &Outcome,
         engine: EngineKind,
     ) -> Result<StreamOutcome, ToolError> {
-        let core = core(job, &bench.design);
+        let core = stream_core(job, &bench.design, SHAPE)?;
         let expected = Vectors::new(&core, &self.frame).marked_pixels();
         let modelled = self.run.record(&core, &outcome.codes);
         let simulator = match engine {
@@ -139,9 +139,20 @@ impl StreamOutcome {
     }
 }
 
-/// The core with its streams.
-fn core<'a>(job: &'a Job, design: &'a Design) -> StreamCore<'a> {
-    StreamCore::new(job.spec(), design, SHAPE, &job.file.text())
+/// The core of a job with its streams.
+///
+/// # Errors
+/// [`ToolError::DirectionsInStream`] if directions leave the core, for which pixels in a stream have
+/// no place.
+pub fn stream_core<'a>(
+    job: &'a Job,
+    design: &'a Design,
+    shape: StreamShape,
+) -> Result<StreamCore<'a>, ToolError> {
+    match job.spec().direction_outputs() {
+        [] => Ok(StreamCore::new(job.spec(), design, shape, &job.file.text())),
+        _ => Err(ToolError::DirectionsInStream),
+    }
 }
 
 /// The first pixel that is not as it has to be.

@@ -3,13 +3,15 @@ use specula_datapath::Format;
 use specula_scene::frame::Frame;
 use specula_scene::needs::Needs;
 
-use super::{ConsistentFormats, ConsistentSpec, Curve, Diffuse, Highlight, LARGEST_GAIN_BITS};
+use super::{
+    ConsistentFormats, ConsistentSpec, Curve, Diffuse, Directions, Highlight, LARGEST_GAIN_BITS,
+};
 use crate::defaults::{exponent_bits, span_bits};
 use crate::error::SpecError;
 use crate::method_set_up::SetUpSpan;
 use crate::narrowing::{MOST_FRACTION_BITS, NarrowingPoint, SIGNED_UNIT, UNIT};
 use crate::power::Power;
-use crate::shading_method::{OptionDomain, ShadingMethod, Viewpoint};
+use crate::shading_method::{DirectionOutput, OptionDomain, ShadingMethod, Viewpoint};
 use crate::ways::{self, Places};
 
 /// The most fraction bits of ρ², twice those of ρ.
@@ -27,6 +29,9 @@ impl ConsistentSpec {
         Power::OPTION_DOMAIN,
         Places::OPTION_DOMAIN,
     ];
+
+    /// Options that change no pixel, and their values.
+    pub const OUTPUT_DOMAINS: &'static [OptionDomain] = &[Directions::OPTION_DOMAIN];
 
     /// numerics N5 and N3e: 14 bits, 2 more for wide angles, and as many more
     /// as the power n multiplies what rounding adds to the length of r. ρ² has twice the bits of ρ
@@ -48,6 +53,7 @@ impl ConsistentSpec {
             highlight: Highlight::Reflection,
             power: Power::for_needs(needs),
             places: Places::for_needs(needs),
+            directions: Directions::None,
             formats: ConsistentFormats {
                 // A step is off by half an ulp, and so is S times that at the end of the span: log2
                 // S + 1 more bits keep the weight within half an ulp of its own format.
@@ -159,6 +165,7 @@ impl ShadingMethod for ConsistentSpec {
             .into_iter()
             .chain([self.power.option()])
             .chain(self.places.option())
+            .chain(self.directions.option())
             .collect()
     }
 
@@ -168,6 +175,10 @@ impl ShadingMethod for ConsistentSpec {
 
     fn places_seen_from(&self) -> Viewpoint {
         self.places.viewpoint()
+    }
+
+    fn direction_outputs(&self) -> &'static [DirectionOutput] {
+        self.directions.outputs()
     }
 
     fn set_up<'a>(&'a self, frame: &'a Frame) -> Box<dyn SetUpSpan + 'a> {

@@ -5,6 +5,7 @@
 //! between N and the faces around: g = N·r = 1 + q(N·I - 1), with q = 1 (the plain reflection) for
 //! α = 0 and q = 0 (r = N) for a quarter turn.
 mod defaults;
+mod directions;
 mod inputs;
 mod set_up;
 
@@ -14,6 +15,7 @@ use specula_datapath::Format;
 use crate::formats::formats;
 use crate::power::{Power, PowerUnit};
 use crate::ways::Places;
+pub use directions::Directions;
 pub use inputs::{ConsistentInputs, ConsistentLight, ConsistentSpan, LARGEST_ANGLE};
 
 /// How q depends on α, with t = 2α/π.
@@ -65,6 +67,9 @@ pub struct ConsistentSpec {
     pub power: Power,
     /// From where lights and the eye at places are seen.
     pub places: Places,
+    /// What leaves the core beside the colour.
+    #[serde(default, skip_serializing_if = "Directions::is_none")]
+    pub directions: Directions,
     /// The narrowing points.
     pub formats: ConsistentFormats,
 }

@@ -151,9 +151,23 @@ impl Builder {
     /// # Errors
     /// The first [`BuildError`] that was made.
     pub fn graph(self, valid: &Sig, outputs: &[(&str, Sig)]) -> Result<Graph, BuildError> {
+        self.graph_beside(valid, outputs, &[])
+    }
+
+    /// As [`Builder::graph`], with more outputs `beside` those that the design's error is about.
+    ///
+    /// # Errors
+    /// The first [`BuildError`] that was made.
+    pub fn graph_beside(
+        self,
+        valid: &Sig,
+        outputs: &[(&str, Sig)],
+        beside: &[(&str, Sig)],
+    ) -> Result<Graph, BuildError> {
         let mut state = self.state.borrow_mut();
         state.graph.leaves = valid.id();
-        for (name, sig) in outputs {
+        state.graph.measured_outputs = outputs.len();
+        for (name, sig) in outputs.iter().chain(beside) {
             state.graph.outputs.push(((*name).to_owned(), sig.real()));
         }
         state.close()

@@ -64,6 +64,7 @@ impl State {
             interval: 1,
             leaves: none,
             outputs: vec![],
+            measured_outputs: 0,
             assumptions: vec![],
             left_out: vec![],
         };

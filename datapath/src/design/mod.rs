@@ -172,7 +172,8 @@ pub struct Design {
     pub valid_out: NodeId,
     /// The pixel that leaves.
     pub outputs: Vec<NodeId>,
-    /// Bound on |fixed - real| of each output, as a value.
+    /// Bound on |fixed - real| of each output that the design's error is about, the first ones, as
+    /// a value.
     pub output_errors: Vec<f64>,
     /// What Verilog has cells of the device for.
     pub primitives: Primitives,

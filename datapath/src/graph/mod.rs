@@ -110,6 +110,8 @@ pub struct Graph {
     pub leaves: NodeId,
     /// What leaves: a name, and what stands for which real value.
     pub outputs: Vec<(String, RealId)>,
+    /// Number of outputs, the first ones, that the design's error is about.
+    pub measured_outputs: usize,
     /// SignalInfo to be checked.
     pub assumptions: Vec<Assumption>,
     /// What was left out.
@@ -130,6 +132,11 @@ impl Graph {
     /// The values that leave.
     pub fn leaving(&self) -> impl Iterator<Item = (&str, NodeId)> {
         self.outputs.iter().map(|(name, id)| (name.as_str(), self.real(*id).value))
+    }
+
+    /// The real values that the design's error is about.
+    pub fn measured(&self) -> impl Iterator<Item = RealId> {
+        self.outputs.iter().take(self.measured_outputs).map(|(_, id)| *id)
     }
 
     /// The unit `id`.

@@ -48,9 +48,9 @@ impl Bounds {
         self.scalars[id.0 as usize]
     }
 
-    /// The largest error of an output.
+    /// The largest error of an output that the design's error is about.
     pub fn of_outputs(&self, graph: &Graph) -> f64 {
-        graph.outputs.iter().map(|(_, id)| self.of(*id).error).fold(0.0, f64::max)
+        graph.measured().map(|id| self.of(id).error).fold(0.0, f64::max)
     }
 
     /// What is known of a vector.

@@ -2,7 +2,7 @@
 //! `docs/arithmetic/consistent.md`].
 use specula_spec::consistent::{
     ConsistentFormats, ConsistentInputs, ConsistentLight, ConsistentSpan, ConsistentSpec, Curve,
-    Diffuse, Highlight, LARGEST_ANGLE,
+    Diffuse, Directions, Highlight, LARGEST_ANGLE,
 };
 use specula_spec::ways::{VectorLight, VectorWay};
 use specula_spec::{CoreParameters, Format, Linear};
@@ -35,6 +35,7 @@ pub(super) struct Consistent {
     highlight: Highlight,
     power: Raised,
     ways: VectorWays,
+    directions: Directions,
     formats: ConsistentFormats,
 }
 
@@ -51,6 +52,7 @@ impl Consistent {
                 consistent.formats.vector,
                 [consistent.formats.base, consistent.formats.shape],
             ),
+            directions: consistent.directions,
             formats: consistent.formats.clone(),
         }
     }
@@ -76,8 +78,8 @@ pub(super) struct Pixel {
     /// Of the eye.
     reflection: Reflection,
     i: u32,
-    /// V; none for an eye at the very pixel.
-    view: Option<Vector>,
+    /// V, and whether there is one: an eye at the very pixel has none.
+    view: (Vector, bool),
     exponent: Wide,
 }
 
@@ -139,9 +141,12 @@ impl Method for Consistent {
         let mirror = Mirror { normal, q: self.contraction(span, i, observer), has_direction };
         let view = match &span.eye {
             Some(eye) => self.direction(["eye_", "eye", "view"], eye, i, observer),
-            None => Some(EYE),
+            None => (EYE, true),
         };
-        let reflection = self.reflection("", &mirror, &view.unwrap_or_default(), observer);
+        let reflection = self.reflection("", &mirror, &view.0, observer);
+        if self.directions.has_normal() {
+            self.consistent_normal(&reflection.r, &view.0, observer);
+        }
         Pixel { mirror, reflection, i, view, exponent: span.exponent }
     }
 
@@ -170,39 +175,44 @@ impl Consistent {
         light: &VectorLight<Wide>,
         observer: &mut impl Observer,
     ) -> Intensities<Wide> {
-        let direction = self.direction(["way_", "way", "direction"], &light.way, pixel.i, observer);
-        let l = direction.unwrap_or_default();
+        let (l, exists) =
+            self.direction(["way_", "way", "direction"], &light.way, pixel.i, observer);
+        let (view, is_seen) = &pixel.view;
         let diffuse = self.diffuse(&pixel.mirror, &l, observer);
-        let halfway = (self.highlight == Highlight::Blinn)
-            .then(|| self.halfway(&l, &pixel.view.unwrap_or_default(), observer));
+        let halfway =
+            (self.highlight == Highlight::Blinn).then(|| self.halfway(&l, view, observer));
         let base = self.base(pixel, &l, halfway.as_ref(), observer);
-        let seen = direction.is_some() && pixel.view.is_some();
         let specular = self.power.raise(observer, base, pixel.exponent);
         let intensities = Intensities {
-            diffuse: if direction.is_some() { diffuse } else { Wide::ZERO },
-            specular: if seen { specular } else { Wide::ZERO },
+            diffuse: if exists { diffuse } else { Wide::ZERO },
+            specular: if exists && *is_seen { specular } else { Wide::ZERO },
         };
         let share = self.ways.share(observer, light.spot.as_ref(), &l);
         spotted(share, intensities, &self.formats())
     }
 
-    /// The direction of a way at pixel i, a unit vector; none where it has none.
+    /// The direction of a way at pixel i, a unit vector, and whether it has one.
     fn direction(
         &self,
         [prefix, of, name]: [&str; 3],
         way: &VectorWay<Wide>,
         i: u32,
         observer: &mut impl Observer,
-    ) -> Option<Vector> {
+    ) -> (Vector, bool) {
         let vector = self.ways.at(observer, of, way, i);
-        let (unit, exists) = self.normalised([prefix, name], &vector, observer);
-        exists.then_some(unit)
+        self.normalised([prefix, name], &vector, observer)
     }
 
     /// (L + V)/|L + V|.
     fn halfway(&self, l: &Vector, v: &Vector, observer: &mut impl Observer) -> Vector {
         let half = std::array::from_fn(|c| (l[c] + v[c]) >> 1);
         self.normalised(["halfway_", "halfway"], &half, observer).0
+    }
+
+    /// N_c = (V + r)/|V + r|, which leaves the core and shades nothing in it.
+    fn consistent_normal(&self, r: &Vector, v: &Vector, observer: &mut impl Observer) -> Vector {
+        let half = std::array::from_fn(|c| (r[c] + v[c]) >> 1);
+        self.normalised(["consistent_normal_", "consistent_normal"], &half, observer).0
     }
 
     /// A vector over its length, and whether it has a direction.

@@ -105,6 +105,7 @@ impl Model {
     /// | t_acc, t, T, q | `angle_accumulator`, `angle`, `tangent`, `contraction` |
     /// | b, g, s, ρ, m | `cos_beta`, `cos_gamma`, `sine_ratio_squared`, `sine_ratio`, `normal_share`; of L with `light<l>_` before |
     /// | r | `reflection_x`, `_y`, `_z`; of L with `light<l>_` before |
+    /// | N_c of the eye | `consistent_normal_x`, `_y`, `_z`; before it `consistent_normal_length_squared`, `_gain` |
     /// | c, s; c_w, s_w | `state_cosine`, `state_sine`; `weight_cosine`, `weight_sine` |
     /// | N, g, n of `slerp` | `turned_x`, `gain`, `normal_x`, and `_y`, `_z` |
     /// | J; K, g, K' | `light<l>_n_dot_l`; `n_dot_v`, `correction`, `corrected` |

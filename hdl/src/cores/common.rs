@@ -78,6 +78,19 @@ pub(super) fn finish<S, L>(
 where
     L: InputGroup<Value = Sig, Mapped<Sig> = L>,
 {
+    b.clone().graph(&slots.valid_in_last_slot, &codes(b, slots, inputs, shade))
+}
+
+/// Those codes, named as the core's first outputs are.
+pub(super) fn codes<S, L>(
+    b: &Builder,
+    slots: &TimeSlots,
+    inputs: &CoreInputs<S, L, Sig>,
+    shade: impl Fn(usize, &L) -> Intensities,
+) -> [(&'static str, Sig); 3]
+where
+    L: InputGroup<Value = Sig, Mapped<Sig> = L>,
+{
     let lights = pipelines(slots, &inputs.lights);
     let shaded = |(index, inputs): (usize, &LightInputs<L, Sig>)| {
         let Intensities { diffuse, specular } = shade(index, &inputs.light);
@@ -90,5 +103,5 @@ where
     };
     let lights: Vec<Light> = lights.iter().enumerate().map(shaded).collect();
     let [red, green, blue] = units::channels(b, slots, &inputs.ambient, &lights);
-    b.clone().graph(&slots.valid_in_last_slot, &[("red", red), ("green", green), ("blue", blue)])
+    [("red", red), ("green", green), ("blue", blue)]
 }

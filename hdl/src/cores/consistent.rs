@@ -1,11 +1,11 @@
 //! The core for consistent normal interpolation.
 use specula_spec::consistent::{
-    ConsistentInputs, ConsistentLight, ConsistentSpec, Curve, Diffuse, Highlight,
+    ConsistentInputs, ConsistentLight, ConsistentSpec, Curve, Diffuse, Directions, Highlight,
 };
 use specula_spec::ways::{VectorLight, VectorWay};
-use specula_spec::{CoreParameters, Format, InputPort};
+use specula_spec::{CoreParameters, DirectionOutput, Format, InputPort};
 
-use super::common::{Intensities, SHORTEST_NORMAL, eye, finish, time_slots};
+use super::common::{Intensities, SHORTEST_NORMAL, codes, eye, time_slots};
 use super::forward::Forward;
 use super::vector_ways::{VectorWays, alike};
 use crate::error;
@@ -68,7 +68,8 @@ pub(super) fn core(
     };
     let least_divisor = (1.0 + parameters.least_view_cosine).max(0.0);
     let of_eye = || units::consistent_reflection(&b, &n, &view.0, &q, f, least_divisor).0;
-    let r = (consistent.highlight == Highlight::Reflection).then(of_eye);
+    let has_r = consistent.highlight == Highlight::Reflection || !consistent.directions.is_none();
+    let r = has_r.then(of_eye);
     let pixel = Pixel {
         ways: &ways,
         to,
@@ -77,10 +78,36 @@ pub(super) fn core(
         n: &n,
         has_direction: &has_direction,
         q: &q,
-        r: r.as_ref(),
+        r: r.as_ref().filter(|_| consistent.highlight == Highlight::Reflection),
     };
     let exponent = &inputs.span.exponent;
-    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light, exponent))
+    let codes = codes(&b, &slots, &inputs, |i, light| pixel.shade(i, light, exponent));
+    let directions = r.iter().flat_map(|r| directions(&b, consistent.directions, (r, &view.0), to));
+    let directions: Vec<(String, Sig)> = directions.collect();
+    let named = directions.iter().map(|(name, component)| (name.as_str(), component.clone()));
+    let named: Vec<(&str, Sig)> = named.collect();
+    b.clone().graph_beside(&slots.valid_in_last_slot, &codes, &named)
+}
+
+/// The components of the directions that leave beside the colour: of r, and of N_c half-way between
+/// r and V.
+fn directions(
+    b: &Builder,
+    asked: Directions,
+    (r, view): (&Vector, &Vector),
+    to: ExactNormalisation,
+) -> Vec<(String, Sig)> {
+    let normal = || {
+        b.instance("consistent_normal", || {
+            units::normalise_exactly(b, &units::half_sum(r, view), to).0
+        })
+    };
+    let vectors = [asked.has_reflection().then(|| r.clone()), asked.has_normal().then(normal)];
+    let components = |(vector, output): (Vector, &DirectionOutput)| {
+        [("x", vector.x), ("y", vector.y), ("z", vector.z)]
+            .map(|(axis, component)| (format!("{}_{axis}", output.name), component))
+    };
+    vectors.into_iter().flatten().zip(asked.outputs()).flat_map(components).collect()
 }
 
 /// q at the largest angle that a vertex has.

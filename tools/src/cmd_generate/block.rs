@@ -5,13 +5,14 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use specula_datapath::Design;
 use specula_flow::host::{self, ExampleSpan, HostCode};
-use specula_flow::stream::{self, File, StreamCore, StreamShape};
+use specula_flow::stream::{self, File, StreamShape};
 use specula_spec::{Positions, WordWidth};
 
 use crate::error::ToolError;
 use crate::frame_vectors::frame_vectors;
 use crate::html::{self, ReportFiles};
 use crate::job::Job;
+use crate::stream_top::stream_core;
 
 /// Arguments of a block.
 #[derive(Clone, Debug, Args)]
@@ -42,9 +43,9 @@ impl BlockArguments {
     /// Names and texts of the block's files, without the core's own.
     ///
     /// # Errors
-    /// [`ToolError::NoVectors`] if the scene has no spans.
+    /// [`ToolError::NoVectors`] if the scene has no spans, and as [`stream_core`].
     pub fn files(&self, job: &Job, design: &Design) -> Result<Vec<(String, String)>, ToolError> {
-        let core = StreamCore::new(job.spec(), design, self.shape(), &job.file.text());
+        let core = stream_core(job, design, self.shape())?;
         let command = format!("{} --ip{}", job.origin.command, self.in_words());
         let asked = self.spans.map_or(usize::MAX, |spans| spans as usize);
         let vectors = frame_vectors(job, asked)?;

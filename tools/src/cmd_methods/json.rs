@@ -139,7 +139,8 @@ fn options(method: Method) -> serde_json::Result<BTreeMap<&'static str, Vec<Valu
     let values = |values: &[&str]| {
         values.iter().map(|value| serde_json::from_str(value)).collect::<serde_json::Result<_>>()
     };
-    method.option_domains().iter().map(|choice| Ok((choice.key, values(choice.values)?))).collect()
+    let all = method.option_domains().iter().chain(method.output_domains());
+    all.map(|choice| Ok((choice.key, values(choice.values)?))).collect()
 }
 
 fn format_facts(point: &NarrowingPoint) -> FormatFacts {

@@ -1,6 +1,7 @@
 //! The program as its users see it: what it prints, what it writes, and how it ends.
 mod bench;
 mod compare;
+mod directions;
 mod errors;
 mod explore;
 mod figure9;

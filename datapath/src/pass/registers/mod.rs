@@ -258,7 +258,7 @@ impl<'a> Placing<'a> {
             outputs,
             primitives: Primitives::default(),
             multipliers: self.multipliers,
-            output_errors: graph.outputs.iter().map(|(_, id)| bounds.of(*id).error).collect(),
+            output_errors: graph.measured().map(|id| bounds.of(id).error).collect(),
             left_out: graph.left_out.clone(),
         }
     }
