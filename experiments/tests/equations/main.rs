@@ -1,6 +1,8 @@
-//! docs/equations.md against the source: every equation of docs/methods.md has a row, and what a
-//! row names is there, and is called.
+//! docs/equations.md against the source: every equation of docs/methods.md and every figure of the
+//! papers has a row, and what a row names is there, and is called.
 mod calls;
+mod figures;
+mod uses;
 
 use std::path::Path;
 
@@ -245,7 +247,8 @@ fn every_row_can_be_run_as_it_says() {
             quoted(&cell.text).into_iter().filter_map(|option| option.split_once(" = "))
         {
             let known = |method: &Method| {
-                method.option_domains().iter().any(|c| c.key == key && c.values.contains(&value))
+                let mut all = method.option_domains().iter().chain(method.output_domains());
+                all.any(|choice| choice.key == key && choice.values.contains(&value))
             };
             let of_a_light = ["kind", "viewer"].contains(&key);
             let inherited = methods.is_empty() && Method::ALL.iter().any(known);
