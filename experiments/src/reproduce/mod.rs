@@ -1,6 +1,7 @@
 //! The papers' claims and figures, computed by Specula's own code: whether each claim holds, and
 //! whether the number of docs/numerics.md comes out.
 mod claim;
+pub mod drawn;
 pub mod figure;
 pub mod hast;
 pub mod lecture;

@@ -9,6 +9,8 @@ use crate::{VertexCone, defaults};
 /// A triangle of a mesh among its neighbours.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ConedFace {
+    /// Its corners.
+    pub corners: [DVec3; 3],
     /// Its unit normal, on the side to which its vertex normals point.
     pub outward: DVec3,
     /// Unit normals at its vertices.
@@ -31,7 +33,12 @@ pub fn coned_faces(mesh: &Mesh) -> Vec<ConedFace> {
     let fans = seen.fans(0, &all);
     let coned = |name: &TriangleId| {
         let face = seen.face(name.triangle);
-        Some(ConedFace { outward: face.outward?, normals: face.normals, cones: fans.cones(&face) })
+        Some(ConedFace {
+            corners: face.places,
+            outward: face.outward?,
+            normals: face.normals,
+            cones: fans.cones(&face),
+        })
     };
     all.iter().filter_map(coned).collect()
 }

@@ -3,7 +3,7 @@ pub mod camera;
 pub mod coverage;
 mod faces;
 pub mod limits;
-mod normal_cones;
+pub mod normal_cones;
 pub mod project;
 mod rows;
 mod scene;

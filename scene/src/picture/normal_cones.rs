@@ -79,22 +79,32 @@ impl VertexFans {
     }
 }
 
-/// The cone of a vertex with this normal, which is repaired if necessary: while it is more than 90
-/// degrees from a face, it is reflected at the plane of the worst one, N ← N - 2(N·n)n [methods D,
-/// with ε = 1].
+/// The cone of a vertex with this normal, which is repaired if necessary, by reflections at the
+/// plane of the worst face [methods D, with ε = 1].
 fn cone(normal: DVec3, faces: &[DVec3]) -> VertexCone {
+    let axis = repaired(normal, faces, 1.0);
+    let cosine = faces.iter().map(|face| axis.dot(*face)).fold(1.0, f64::min);
+    VertexCone { axis, cosine }
+}
+
+/// A vertex normal, moved while it is more than 90 degrees from one of `faces`: N ← N - (1 + ε)(N·n)n
+/// for the worst one [Reshetov, Soupikov and Mark, §3.2]. It is as good as it has become after 200
+/// steps.
+///
+/// Steps with ε = `overshoot`, above 0 and up to 1, end sooner the larger it is; with 1 they end whenever normals
+/// within 90 degrees of all faces are there and span a cone.
+pub fn repaired(normal: DVec3, faces: &[DVec3], overshoot: f64) -> DVec3 {
     let mut axis = normal;
     for _ in 0..MAX_REFLECTIONS {
         let worst = faces.iter().copied().min_by(|a, b| axis.dot(*a).total_cmp(&axis.dot(*b)));
         match worst {
             Some(face) if axis.dot(face) < 0.0 => {
-                axis = (axis - 2.0 * axis.dot(face) * face).normalize()
+                axis = (axis - (1.0 + overshoot) * axis.dot(face) * face).normalize()
             }
             _ => break,
         }
     }
-    let cosine = faces.iter().map(|face| axis.dot(*face)).fold(1.0, f64::min);
-    VertexCone { axis, cosine }
+    axis
 }
 
 #[cfg(test)]

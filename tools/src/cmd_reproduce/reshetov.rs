@@ -1,5 +1,9 @@
 //! The parts of Reshetov's paper besides claims and plots: reflections that enter meshes, and the
 //! cost of consistent normals.
+mod headlight;
+mod mirrors;
+mod zigzag;
+
 use specula_datapath::design::Size;
 use specula_experiments::reproduce::reshetov::inward::{self, Inward};
 use specula_experiments::reproduce::reshetov::marked_pictures::{MarkedPictures, marked_pictures};
@@ -15,6 +19,9 @@ use crate::picture::{Panel, side_by_side};
 pub fn add(section: &mut Section, mesh: &PicturedMesh) -> Result<(), ToolError> {
     meshes(section, mesh);
     pictures(section, mesh)?;
+    mirrors::add(section, mesh);
+    zigzag::add(section)?;
+    headlight::add(section, mesh)?;
     cost(section)
 }
 

@@ -1,10 +1,11 @@
 //! Figures 1 to 3: hybrid shading, and Phong shading and reflection shading with highlights by eq. 34,
 //! drawn by cores.
-use specula_scene::{Frame, Needs};
-use specula_spec::{CoreSpec, Method};
+use specula_scene::Frame;
+use specula_spec::Method;
 
+use super::super::drawn::{Drawn, drawn};
 use specula_testbench::statistics::Sums;
-use specula_testbench::{Bench, BenchError, EngineKind, ErrorFigures, Image};
+use specula_testbench::{BenchError, ErrorFigures};
 
 /// A mesh that three cores have drawn.
 #[derive(Clone, Debug)]
@@ -21,15 +22,6 @@ pub struct Quality {
     pub map: Vec<f32>,
     /// Share of the shaded pixels in which a channel differs by more than one code.
     pub share: f64,
-}
-
-/// A picture that a core drew.
-#[derive(Clone, Debug)]
-pub struct Drawn {
-    /// The picture.
-    pub image: Image,
-    /// Its errors against exact Phong shading.
-    pub error: ErrorFigures,
 }
 
 /// Draws a frame with the three cores.
@@ -59,11 +51,4 @@ pub fn quality(frame: &Frame) -> Result<Quality, BenchError> {
     }
     let share = off as f64 / frame.shaded_pixels().max(1) as f64;
     Ok(Quality { hybrid, phong, reflection, difference: sums.figures(), map, share })
-}
-
-fn drawn(frame: &Frame, method: Method, options: &str) -> Result<Drawn, BenchError> {
-    let spec = CoreSpec::for_scene(&Needs::of(frame), Some(&options.parse()?), Some(method))?
-        .specialised(frame);
-    let outcome = Bench::new(frame, &spec, "core")?.run(EngineKind::Fast, &mut |_, _| ())?;
-    Ok(Drawn { image: outcome.simulated, error: outcome.comparison.errors.total })
 }

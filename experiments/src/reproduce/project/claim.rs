@@ -95,7 +95,7 @@ fn fastest_of_others(timed: &Timed) -> Option<f64> {
 }
 
 /// The claims, in the papers' order.
-pub const CLAIMS: [SpeedClaim; 12] = [
+pub const CLAIMS: [SpeedClaim; 14] = [
     SpeedClaim {
         paper: Paper::Lecture,
         what: "Gouraud shading is the fastest of all",
@@ -178,6 +178,20 @@ pub const CLAIMS: [SpeedClaim; 12] = [
         what: "consistent normals cost about 1 % of the time (5 % on a CPU)",
         quantity: "consistent/naive, all",
         ratio: |timed| against_naive(timed, "consistent", total),
+        judge: hardly_slower,
+    },
+    SpeedClaim {
+        paper: Paper::Reshetov,
+        what: "so they do with the trigonometric q",
+        quantity: "trigonometric/naive, all",
+        ratio: |timed| against_naive(timed, "consistent-trigonometric", total),
+        judge: hardly_slower,
+    },
+    SpeedClaim {
+        paper: Paper::Reshetov,
+        what: "and in Blinn-Phong shading, of which table 1 is, where each light has normals of its own",
+        quantity: "consistent for L and H/Blinn, all",
+        ratio: |timed| quotient(timed, ["consistent-normal", "phong-blinn"], total),
         judge: hardly_slower,
     },
 ];

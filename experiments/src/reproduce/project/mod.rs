@@ -23,7 +23,7 @@ pub struct Algorithm {
 }
 
 /// The algorithms: the lecture's four, Hast's and Reshetov's.
-pub const ALGORITHMS: [Algorithm; 9] = [
+pub const ALGORITHMS: [Algorithm; 12] = [
     Algorithm { seen_from: "vertices", ..everywhere("Gouraud shading", "gouraud") },
     Algorithm {
         title: "naive Phong shading",
@@ -46,6 +46,9 @@ pub const ALGORITHMS: [Algorithm; 9] = [
     },
     everywhere("reflection shading, eq. 34", "reflection"),
     everywhere("consistent normals, rational q", "consistent"),
+    everywhere("consistent normals, trigonometric q", "consistent-trigonometric"),
+    everywhere("Phong shading with Blinn's highlight", "phong-blinn"),
+    everywhere("consistent normals for L and H, rational q", "consistent-normal"),
 ];
 
 const fn everywhere(title: &'static str, name: &'static str) -> Algorithm {

@@ -110,7 +110,8 @@ mod tests {
             ("phong" | "phong-places" | "phong-wrapped-places", _)
             | ("duff" | "fast-phong", Illumination::Infinity) => 0.05,
             ("slerp" | "reflection", Illumination::Infinity) => 0.3,
-            ("gouraud" | "hybrid" | "consistent", _) => 4.0,
+            ("gouraud" | "hybrid" | "consistent" | "consistent-trigonometric", _) => 4.0,
+            ("consistent-normal", _) => 10.0,
             _ => 1.5,
         }
     }

@@ -13,8 +13,11 @@ fn angle_of_face(theta: f64, u: f64) -> f64 {
     libm::atan2(u * libm::sin(theta), 1.0 - u + u * libm::cos(theta))
 }
 
+/// Angles that are interpolated as they are.
+pub(super) const UNSCALED: Scaling = Scaling { constant: 0.0, exponent: 1 };
+
 /// The shortfall of the interpolated angle in radians, for vertex angles enlarged by `scaling`.
-fn shortfall(theta: f64, u: f64, scaling: Scaling) -> f64 {
+pub(super) fn shortfall(theta: f64, u: f64, scaling: Scaling) -> f64 {
     angle_of_face(theta, u) - u * vertex_angle(libm::cos(theta), scaling)
 }
 
@@ -72,10 +75,7 @@ pub const CLAIMS: [Claim; 7] = [
         "without scaling the interpolated angle falls short by less than 4.075 degrees",
         "largest shortfall in degrees",
         (4.07457, 5e-5),
-        || {
-            largest(|u| shortfall(FRAC_PI_2, u, Scaling { constant: 0.0, exponent: 1 }))
-                .to_degrees()
-        },
+        || largest(|u| shortfall(FRAC_PI_2, u, UNSCALED)).to_degrees(),
         |degrees| Ruling::of(degrees < 4.075, "it is more"),
     ),
     exact(

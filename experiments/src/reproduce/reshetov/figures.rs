@@ -1,4 +1,4 @@
-//! Figures 6 and 7.
+//! Figures 6, 7, 11 and 12.
 use std::f64::consts::FRAC_PI_2;
 
 use glam::DVec3;
@@ -11,7 +11,7 @@ use crate::stress::draw::tilted;
 use crate::stress::scene::matt;
 use crate::stress::variant::Variant;
 
-/// Figure 6, and the four plots of figure 7.
+/// Figure 6, the four plots of figure 7, and those of the appendix.
 pub fn figures() -> Vec<Figure> {
     let seven = [
         (5, "reshetov_figure7_05"),
@@ -21,6 +21,7 @@ pub fn figures() -> Vec<Figure> {
     ];
     std::iter::once(curves())
         .chain(seven.map(|(degrees, name)| cosines(name, degrees.into())))
+        .chain(super::appendix::figures())
         .collect()
 }
 

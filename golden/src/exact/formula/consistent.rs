@@ -80,6 +80,16 @@ pub fn vertex_angle(least_cosine: f64, scaling: Scaling) -> f64 {
     m.acos() * (1.0 + scaling.constant * (1.0 - m).powi(scaling.exponent))
 }
 
+/// m of a vertex where the surface is convex, so that its angle is moved from acos(m) towards π/2 by
+/// the share `convexity`, 0 to 1 (figure 8, for which the paper has no formula: this one is ours).
+///
+/// No angle becomes smaller, so that r stays outside of the faces; where the surface is flat or
+/// concave, with a convexity of 0, none changes.
+pub fn modulated_cosine(least_cosine: f64, convexity: f64) -> f64 {
+    let angle = least_cosine.clamp(0.0, 1.0).acos();
+    (angle + convexity.clamp(0.0, 1.0) * (FRAC_PI_2 - angle)).cos().max(0.0)
+}
+
 /// The angle α of a pixel: interpolated, and only then clamped to 0 to π/2.
 pub fn pixel_angle(vertex_angles: [f64; 3], weights: [f64; 3]) -> f64 {
     let interpolated: f64 = vertex_angles.iter().zip(weights).map(|(a, w)| a * w).sum();
