@@ -111,10 +111,8 @@ fn scene_facts(places_seen_from: Viewpoint) -> SceneFacts {
 /// The core with each value of each option.
 fn variants(method: Method, scene: &LoadedScene) -> Result<Vec<VariantFacts>, ToolError> {
     let needs = Needs::of(&scene.frame);
-    let values = method
-        .option_domains()
-        .iter()
-        .flat_map(|choice| choice.values.iter().map(|value| (choice.key, *value)));
+    let all = method.option_domains().iter().chain(method.output_domains());
+    let values = all.flat_map(|choice| choice.values.iter().map(|value| (choice.key, *value)));
     let facts = |(option, value): (&'static str, &str)| {
         let design = variant(&needs, &Variant { method, table: format!("{option} = {value}\n") })?;
         let value = serde_json::from_str(value).map_err(ToolError::Json)?;
