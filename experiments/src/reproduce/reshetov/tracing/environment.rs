@@ -31,8 +31,8 @@ pub fn colour(direction: DVec3) -> DVec3 {
 /// Squares on a plane a unit below.
 fn ground(direction: DVec3) -> DVec3 {
     let depth = -direction.y;
-    let square = |along: f64| (along / depth).floor() as i64;
-    let colour = GROUND[(square(direction.x) + square(direction.z)).rem_euclid(2) as usize];
+    let squares = (direction.x / depth).floor() + (direction.z / depth).floor();
+    let colour = GROUND[squares.rem_euclid(2.0) as usize];
     HORIZON.lerp(colour, (depth / HAZE).min(1.0))
 }
 
