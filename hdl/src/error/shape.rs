@@ -23,12 +23,16 @@ const STEPS: u32 = 2048;
 /// Each counts as often as [`LengthError`] says, or the first as often as D is off as a whole.
 /// Smaller exponents have no more of any at the same y.
 ///
-/// Then f of the fixed D, with y', is rounded: see `Highlight::rounding`. y' is no further from
+/// Then f of the fixed D, with y', is rounded, and its squares truncated: see `Highlight::rounding`. y' is no further from
 /// any y on the way to it than √(n/2K) times what D is off.
 pub fn bound(d: VectorBound, length_error: LengthError, shininess: f64, lyon: &LyonSpec) -> f64 {
     let n = shininess * f64::from(1u32 << lyon.difference.log2_exponent_factor());
-    let highlight =
-        Highlight { n, squarings: lyon.squarings as i32, ulp: lyon.formats.shape.ulp() };
+    let highlight = Highlight {
+        n,
+        squarings: lyon.squarings as i32,
+        ulp: lyon.formats.shape.ulp(),
+        truncated: lyon.formats.truncated(lyon.formats.difference),
+    };
     let whole = LengthError::whole(d.error.length);
     let moved = (n / (2.0 * highlight.terms())).sqrt() * whole.level;
     // Of most D nothing more is known than of the whole.
@@ -40,7 +44,10 @@ pub fn bound(d: VectorBound, length_error: LengthError, shininess: f64, lyon: &L
 struct Highlight {
     n: f64,
     squarings: i32,
+    /// Unit of the last place of x/2^k and of squares.
     ulp: f64,
+    /// What each square in D·D is less, at most.
+    truncated: f64,
 }
 
 impl Highlight {
@@ -76,18 +83,20 @@ impl Highlight {
     /// What rounding adds for y from `begin` on, with b for the real and the rounded 1 - y'².
     ///
     /// ```text
-    /// K b^(K-1)           half a unit of x/2^k, raised to K
+    /// K b^(K-1)           half a unit of x/2^k, raised to K, and what that lost before
     /// 2^(k-i) b^(K-2^i)   half a unit of the i-th square, raised to 2^(k-i)
     /// ```
     ///
     /// The powers b^(2^i) are off by 2^i units, and the mean of real and rounded one is no more
     /// than the power of 1 - y'² + K units, as long as that is 1/2 or more, which is put for less.
+    /// Three squares of D that are t less each make x/2^k = (n/2K) D·D less by 3t n/2K.
     fn rounding(&self, begin: f64) -> f64 {
-        let base = ((1.0 - begin * begin).max(0.5) + self.terms() * self.ulp).min(1.0);
+        let lost = 3.0 * self.truncated * self.n / (2.0 * self.terms());
+        let base = ((1.0 - begin * begin).max(0.5) + self.terms() * (self.ulp + lost)).min(1.0);
         let (k, terms) = (self.squarings, 1 << self.squarings);
         let of_square = |i: i32| 2f64.powi(k - i) * base.powi(terms - (1 << i));
         let of_x = self.terms() * base.powi(terms - 1);
-        0.5 * self.ulp * (of_x + (1..=k).map(of_square).sum::<f64>())
+        lost * of_x + 0.5 * self.ulp * (of_x + (1..=k).map(of_square).sum::<f64>())
     }
 }
 
@@ -217,19 +226,24 @@ mod tests {
     /// 70 % of the bound is reached.
     #[test]
     fn rounded_highlights_of_longer_and_shorter_vectors_stay_within_the_bound() {
-        for (squarings, n, ulp, off) in [
-            (0, 16.0, 1.0 / 1024.0, 1e-3),
-            (2, 256.0, 1.0 / 4096.0, 2e-4),
-            (3, 8191.0, 1.0 / 512.0, 2e-5),
+        for (squarings, n, ulp, off, truncated) in [
+            (0, 16.0, 1.0 / 1024.0, 1e-3, 0.0),
+            (2, 256.0, 1.0 / 4096.0, 2e-4, 0.0),
+            (3, 8191.0, 1.0 / 512.0, 2e-5, 0.0),
+            (0, 16.0, 1.0 / 65536.0, 1e-5, 1e-3),
+            (2, 256.0, 1.0 / 65536.0, 2e-4, 1e-5),
         ] {
-            let of = Highlight { n, squarings, ulp };
+            let of = Highlight { n, squarings, ulp, truncated };
+            let lost = 3.0 * truncated * n / (2.0 * of.terms());
             let level = LengthError { level: off, growing: 0.0, falling: 0.0 };
             let moved = (n / (2.0 * of.terms())).sqrt() * off;
             let bound = of.worst(level, moved);
             let exact = |d: f64| (1.0 - n * d * d / (2.0 * of.terms())).max(0.0).powf(of.terms());
             let fixed = |d: f64, nudge: f64| {
                 let rounded = |x: f64| ((x / ulp + nudge).floor() * ulp).clamp(0.0, 1.0);
-                let base = 1.0 - rounded(n * d * d / (2.0 * of.terms()));
+                // What rounds x down has truncated its squares besides.
+                let lost = if nudge < 0.5 { lost } else { 0.0 };
+                let base = 1.0 - rounded(n * d * d / (2.0 * of.terms()) - lost);
                 (0..squarings).fold(base, |b, _| rounded(b * b))
             };
             let edge = (2.0 * of.terms() / n).sqrt();
