@@ -2,6 +2,7 @@
 //! whether the number of docs/numerics.md comes out.
 mod claim;
 pub mod figure;
+pub mod gates;
 pub mod hast;
 pub mod lecture;
 mod lyon;
