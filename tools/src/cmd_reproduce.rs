@@ -114,7 +114,7 @@ fn claims(
 }
 
 /// What the section about Lyon's report says besides claims and plots.
-const LYON: &str = "`specula reproduce figure9` shades figure 9, the twelve formulations on five spheres, with a core for each row: [figure9.md](figure9.md).";
+const LYON: &str = "`specula reproduce figure9` shades figure 9, the twelve formulations on five spheres, with a core for each row: [figure9.md](figure9.md). `specula reproduce gates` counts what his datapaths and standard Phong shading take in gates, look-up tables and blocks at equal error: [gates.md](gates.md).";
 
 fn section(paper: Paper, mesh: &PicturedMesh) -> Result<Section, ToolError> {
     let mut section = Section::of(paper)?;
