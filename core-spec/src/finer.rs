@@ -46,6 +46,17 @@ impl CoreSpec {
         Some(spec)
     }
 
+    /// The same core in the formats with which a search for others begins; those that are `kept` stay.
+    pub fn in_search_formats(&self, kept: &[String]) -> CoreSpec {
+        let points = self.narrowing_points();
+        let is_open = |name: &str| kept.iter().all(|kept| kept != name);
+        let formats = points.iter().filter(|point| is_open(point.name)).filter_map(|point| {
+            let fraction_bits = point.search_begins_with?;
+            Some((point.name, Format { fraction_bits, ..point.format }))
+        });
+        self.changed(formats).unwrap_or_else(|| self.clone())
+    }
+
     /// The same core with other formats at these narrowing points, whether or not they may be; none
     /// where there is no such point.
     fn changed<'a>(&self, formats: impl Iterator<Item = (&'a str, Format)>) -> Option<CoreSpec> {

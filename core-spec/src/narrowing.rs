@@ -31,6 +31,9 @@ pub struct NarrowingPoint {
     pub fewest_fraction_bits: u32,
     /// The most fraction bits the format may have, given the others.
     pub most_fraction_bits: u32,
+    /// The fraction bits that a search for formats begins with, where the format has more than ever
+    /// matter.
+    pub search_begins_with: Option<u32>,
     /// Signedness and integer bits that it must have.
     shape: Format,
     /// Why it needs more fraction bits than others.
@@ -51,6 +54,7 @@ impl NarrowingPoint {
             value,
             fewest_fraction_bits: FEWEST_FRACTION_BITS,
             most_fraction_bits: MOST_FRACTION_BITS,
+            search_begins_with: None,
             shape,
             because: "",
         }
@@ -102,6 +106,12 @@ impl NarrowingPoint {
     /// One with more fraction bits at most, since it enters no product.
     pub(crate) fn up_to(mut self, fraction_bits: u32) -> NarrowingPoint {
         self.most_fraction_bits = fraction_bits;
+        self
+    }
+
+    /// One for which a search begins with fewer fraction bits than it has.
+    pub(crate) fn searched_from(mut self, fraction_bits: u32) -> NarrowingPoint {
+        self.search_begins_with = Some(fraction_bits.min(self.format.fraction_bits));
         self
     }
 

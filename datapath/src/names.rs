@@ -3,6 +3,8 @@
 use std::collections::HashSet;
 use std::sync::LazyLock;
 
+use rustc_hash::FxHashSet;
+
 use crate::design::ScopeId;
 
 /// Names of every module's control ports.
@@ -20,7 +22,7 @@ pub fn is_reserved(word: &str) -> bool {
 
 /// `name`, or with a number behind it where the unit has it already; a word that Verilog keeps for
 /// itself gets a number too.
-pub fn unique(names: &mut HashSet<(ScopeId, String)>, scope: ScopeId, name: &str) -> String {
+pub fn unique(names: &mut FxHashSet<(ScopeId, String)>, scope: ScopeId, name: &str) -> String {
     first_taken(name, |candidate| names.insert((scope, candidate.to_owned())))
 }
 

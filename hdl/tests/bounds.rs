@@ -118,8 +118,8 @@ fn renumbered(rule: Rule, map: impl Fn(RealId) -> RealId) -> Rule {
         Rule::Accumulated { start, step, steps } => {
             Rule::Accumulated { start: map(start), step: map(step), steps }
         }
-        Rule::DotProduct { of, vectors, lengths } => {
-            Rule::DotProduct { of: map(of), vectors, lengths }
+        Rule::DotProduct { of, vectors, lengths, truncated } => {
+            Rule::DotProduct { of: map(of), vectors, lengths, truncated }
         }
         Rule::Tightened { of, bound, proof } => Rule::Tightened { of: map(of), bound, proof },
         Rule::Overridden { of, bound, proof } => Rule::Overridden { of: map(of), bound, proof },

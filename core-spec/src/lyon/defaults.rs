@@ -9,7 +9,9 @@ use super::{
 use crate::defaults::span_bits;
 use crate::error::{SpecError, within};
 use crate::method_set_up::SetUpSpan;
-use crate::narrowing::{FEWEST_FRACTION_BITS, NarrowingPoint, SIGNED_UNIT, UNIT};
+use crate::narrowing::{
+    FEWEST_FRACTION_BITS, MOST_FRACTION_BITS, NarrowingPoint, SIGNED_UNIT, UNIT,
+};
 use crate::parameters::FULL_SCALE;
 use crate::shading_method::{OptionDomain, ShadingMethod, Viewpoint};
 use crate::ways::{self, Places};
@@ -76,6 +78,7 @@ impl LyonSpec {
                     span_bits(needs.longest_span),
                     Format::signed(1, vector),
                 ),
+                product: WHOLE_PRODUCT,
                 diffuse: Format::unsigned(1, shape),
                 difference: Format::signed(2, vector),
                 // m is off by 2^-9 at most, and f by 2/m of that and less: 0.3 LSB where m is √2.
@@ -94,6 +97,13 @@ impl LyonSpec {
 fn room_for_share(difference_bits: u32) -> u32 {
     46_u32.saturating_sub(2 * difference_bits).max(FEWEST_FRACTION_BITS)
 }
+
+/// The product of two numbers with the most fraction bits, which is not truncated.
+const WHOLE_PRODUCT: Format = Format::signed(3, 2 * MOST_FRACTION_BITS);
+/// With sign and three integer bits, 60 bits wide.
+const MOST_PRODUCT_FRACTION_BITS: u32 = 56;
+/// Fraction bits that products have more than their factors where a search begins (decision 0038).
+const GUARD_BITS: u32 = 4;
 
 /// From so short a way on three of Newton's steps do not suffice.
 const SHORTEST_FOR_NEWTON: f64 = 0.5;
@@ -148,6 +158,12 @@ impl ShadingMethod for LyonSpec {
             f.vector,
             span_bits,
         ));
+        let product = "products of N'.N', n.L, H x N and D.D, truncated before they are added";
+        points.push(
+            point("product", f.product, Format::signed(3, 0), product)
+                .up_to(MOST_PRODUCT_FRACTION_BITS)
+                .searched_from(f.vector.fraction_bits + GUARD_BITS),
+        );
         points.push(point("diffuse", f.diffuse, UNIT, "n.L, clamped at 0"));
         // D·D has twice the fraction bits, n another 13, and all of it must fit 63 bits.
         points.push(

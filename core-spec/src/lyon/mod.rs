@@ -173,6 +173,9 @@ formats! {
         /// Accumulators of the components of ways to places (with places seen from pixels only):
         /// `S3.f`. The host rounds start and step into it.
         pub way_accumulator: Format,
+        /// Products of N'·N' (with g1 and g2), N·L, H × N and D·D (of the shape f-k), truncated before
+        /// they are added: `S3.f`.
+        pub product: Format,
         /// N·L after clamping at 0: `U1.f`.
         pub diffuse: Format,
         /// The components of D, and before them 2 N·V, 2 N·L, H·N or h·N where D is made of it:
@@ -201,6 +204,12 @@ const fn default_shininess_share() -> Format {
 }
 
 impl LyonFormats {
+    /// What a product of two numbers of such a format is less after it was truncated, at most.
+    pub fn truncated(&self, factor: Format) -> f64 {
+        let is_shorter = self.product.fraction_bits < 2 * factor.fraction_bits;
+        if is_shorter { self.product.ulp() } else { 0.0 }
+    }
+
     /// Format of N1 - N0 and of H: the vector's with one more integer bit, since the sum of two
     /// vectors is up to twice as long.
     pub fn vector_sum(&self) -> Format {

@@ -146,7 +146,8 @@ impl Builder {
         self.state.borrow().bounds.clone()
     }
 
-    /// As [`Builder::finish`], but before any pass: a graph without clocks and registers.
+    /// As [`Builder::finish`], but before any pass: a graph without clocks and registers. Values that
+    /// were described are of no use afterwards.
     ///
     /// # Errors
     /// The first [`BuildError`] that was made.

@@ -1,10 +1,10 @@
 //! The graph while it grows.
-use std::collections::{HashMap, HashSet};
+use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
 
 use super::error::BuildError;
 use crate::design::{LeftOut, NodeId, Op, Range, ScopeId, WideRange};
 use crate::graph::{
-    Graph, GroupId, Pace, RealId, RealValue, RealVector, Rule, Unit, Value, VectorId, VectorRule,
+    Graph, GroupId, Pace, RealId, RealValue, RealVector, Rule, Value, VectorId, VectorRule,
 };
 use crate::names::{CONTROL, unique};
 use crate::pass::Bounds;
@@ -27,57 +27,45 @@ pub(super) struct State {
     pub scope: ScopeId,
     /// How operators are clocked that are added now.
     pub pace: Pace,
-    names: HashSet<(ScopeId, String)>,
-    /// Values whose name is a stand-in: their kind and a number, or the port of the unit they come
-    /// from.
-    unnamed: HashSet<NodeId>,
+    names: FxHashSet<(ScopeId, String)>,
+    /// Values whose name is a stand-in: their kind and a number, or, without those here, the port of
+    /// the unit they come from.
+    unnamed: FxHashMap<NodeId, Option<(&'static str, u32)>>,
+    /// The first number of each kind that may be free in a unit.
+    numbers: FxHashMap<(ScopeId, &'static str), u32>,
     /// What computes which value, so that nothing is built twice in a unit.
-    computed: HashMap<(ScopeId, Op, Pace), NodeId>,
+    computed: FxHashMap<(ScopeId, Op, Pace), NodeId>,
     /// Values that are taken together with a group already.
-    met: HashMap<(NodeId, GroupId), NodeId>,
+    met: FxHashMap<(NodeId, GroupId), NodeId>,
     /// What the next unit's instance is to be called, if not after the unit.
     pub instance: Option<String>,
     fault: Option<BuildError>,
 }
 
+/// Room for the values of most cores: what grows is copied, and searches for formats describe hundreds
+/// of cores.
+const MANY_VALUES: usize = 4096;
+
+fn with_room<K, V>() -> FxHashMap<K, V> {
+    FxHashMap::with_capacity_and_hasher(MANY_VALUES, FxBuildHasher)
+}
+
 impl State {
     pub fn new(name: &str, formula: &str) -> State {
-        let (none, nothing) = (NodeId(0), GroupId(0));
-        let top = Unit {
-            name: name.into(),
-            formula: formula.into(),
-            instance: name.into(),
-            parent: None,
-            inputs: nothing,
-            outputs: nothing,
-        };
-        let graph = Graph {
-            values: vec![],
-            reals: vec![],
-            vectors: vec![],
-            groups: vec![vec![]],
-            tables: vec![],
-            units: vec![top],
-            inputs: vec![],
-            valid: none,
-            start: none,
-            interval: 1,
-            leaves: none,
-            outputs: vec![],
-            assumptions: vec![],
-            left_out: vec![],
-        };
         // A signal of the module's own name would hide the module.
         let taken = CONTROL.into_iter().chain([name]);
+        let mut names = FxHashSet::with_capacity_and_hasher(MANY_VALUES, FxBuildHasher);
+        names.extend(taken.map(|taken| (ScopeId::TOP, taken.to_owned())));
         State {
-            graph,
+            graph: Graph::new(name, formula, MANY_VALUES),
             bounds: Bounds::default(),
             scope: ScopeId::TOP,
             pace: Pace::Target,
-            names: taken.map(|taken| (ScopeId::TOP, taken.to_owned())).collect(),
-            unnamed: HashSet::new(),
-            computed: HashMap::new(),
-            met: HashMap::new(),
+            names,
+            unnamed: with_room(),
+            numbers: FxHashMap::default(),
+            computed: with_room(),
+            met: with_room(),
             instance: None,
             fault: None,
         }
@@ -124,10 +112,10 @@ impl State {
         if let Some(&same) = self.computed.get(&key).filter(|&&same| self.agrees(same, &info)) {
             return same;
         }
-        let name = self.numbered(info.kind);
+        let (name, number) = self.numbered(info.kind);
         let range = self.fitted(info.range, &name);
         let id = self.add(op, pace, None, (range, info.fraction_bits), name);
-        self.unnamed.insert(id);
+        self.unnamed.insert(id, Some((info.kind, number)));
         self.computed.insert(key, id);
         id
     }
@@ -192,18 +180,20 @@ impl State {
 
     /// Lets a later name take the place of the one the value has.
     pub fn nameable(&mut self, id: NodeId) {
-        self.unnamed.insert(id);
+        self.unnamed.insert(id, None);
     }
 
     /// Gives a value a name if it has none yet.
     pub fn name(&mut self, id: NodeId, name: &str) {
-        if self.unnamed.remove(&id) {
-            let scope = self.graph.value(id).scope;
-            let old = self.graph.value(id).name.clone();
-            self.names.remove(&(scope, old));
-            let name = self.unique(scope, name);
-            self.graph.values[id.0 as usize].name = name;
+        let Some(stand_in) = self.unnamed.remove(&id) else { return };
+        let value = &mut self.graph.values[id.0 as usize];
+        let (scope, old) = (value.scope, std::mem::take(&mut value.name));
+        self.names.remove(&(scope, old));
+        if let Some((kind, number)) = stand_in {
+            let first = self.numbers.entry((scope, kind)).or_insert(number);
+            *first = number.min(*first);
         }
+        self.graph.values[id.0 as usize].name = self.unique(scope, name);
     }
 
     /// `name`, or with a number behind it where the unit has it already.
@@ -211,15 +201,18 @@ impl State {
         unique(&mut self.names, scope, name)
     }
 
-    fn numbered(&mut self, kind: &str) -> String {
-        let mut number = 1;
-        loop {
+    /// The kind with the first number behind it that is free in the unit that is open.
+    fn numbered(&mut self, kind: &'static str) -> (String, u32) {
+        let mut number = self.numbers.get(&(self.scope, kind)).copied().unwrap_or(1);
+        let name = loop {
             let candidate = format!("{kind}_{number}");
             if self.names.insert((self.scope, candidate.clone())) {
-                return candidate;
+                break candidate;
             }
             number += 1;
-        }
+        };
+        self.numbers.insert((self.scope, kind), number + 1);
+        (name, number)
     }
 
     /// The range, or (noting the fault) a stand-in for one that does not fit 63 bits.
@@ -251,14 +244,14 @@ impl State {
         NodeId(self.graph.values.len() as u32 - 1)
     }
 
-    /// The whole graph.
+    /// The whole graph, of which nothing is left here.
     pub fn close(&mut self) -> Result<Graph, BuildError> {
         if let Some(fault) = self.fault.take() {
             return Err(fault);
         }
-        let mut graph = self.graph.clone();
-        for &NodeId(index) in &self.unnamed {
-            graph.values[index as usize].named = false;
+        let mut graph = std::mem::replace(&mut self.graph, Graph::new("", "", 0));
+        for NodeId(index) in self.unnamed.keys() {
+            graph.values[*index as usize].named = false;
         }
         Ok(graph)
     }

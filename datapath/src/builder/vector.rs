@@ -19,6 +19,9 @@ pub struct Vector {
     real: VectorId,
 }
 
+/// More fraction bits than any product has.
+const WHOLE: u32 = u32::MAX;
+
 impl Vector {
     /// A vector from its components.
     pub fn new(components: [Sig; 3]) -> Vector {
@@ -107,12 +110,12 @@ impl Vector {
 
     /// The dot product.
     pub fn dot(&self, other: &Vector) -> Sig {
-        &self.x * &other.x + &self.y * &other.y + &self.z * &other.z
+        self.truncated_dot(other, WHOLE).0
     }
 
     /// The squared length.
     pub fn length_squared(&self) -> Sig {
-        self.x.squared() + self.y.squared() + self.z.squared()
+        self.truncated_length_squared(WHOLE).0
     }
 
     /// The dot product of vectors no longer than `lengths`, by `fact` no larger than their product.
@@ -120,18 +123,50 @@ impl Vector {
     /// With vectors off by e_a and e_b it is off by |a| e_b + |b| e_a + e_a e_b (Cauchy and
     /// Schwarz).
     pub fn dot_within(&self, other: &Vector, lengths: (f64, f64), fact: &str) -> Sig {
+        self.truncated_dot_within(other, WHOLE, lengths, fact)
+    }
+
+    /// The same of products that are truncated to `fraction_bits` before they are added, each of which
+    /// makes it smaller by less than a unit of their last place.
+    pub fn truncated_dot_within(
+        &self,
+        other: &Vector,
+        fraction_bits: u32,
+        lengths: (f64, f64),
+        fact: &str,
+    ) -> Sig {
+        let (sum, truncated) = self.truncated_dot(other, fraction_bits);
         let (limit, lengths) = (lengths.0 * lengths.1, [lengths.0, lengths.1]);
-        let of = self.dot(other).assumed(-limit, limit, fact);
+        let of = sum.assumed(-limit - truncated, limit, fact);
         let vectors = [self.real, other.real];
-        of.standing_for(of.id(), Rule::DotProduct { of: of.real(), vectors, lengths })
+        of.standing_for(of.id(), Rule::DotProduct { of: of.real(), vectors, lengths, truncated })
     }
 
     /// The squared length of a vector that by `fact` is no longer than `length`; its error as that
     /// of a dot product.
     pub fn length_squared_within(&self, length: f64, fact: &str) -> Sig {
-        let of = self.length_squared().assumed(0.0, length * length, fact);
+        self.truncated_length_squared_within(WHOLE, length, fact)
+    }
+
+    /// The same of squares that are truncated to `fraction_bits` before they are added.
+    pub fn truncated_length_squared_within(
+        &self,
+        fraction_bits: u32,
+        length: f64,
+        fact: &str,
+    ) -> Sig {
+        let (sum, truncated) = self.truncated_length_squared(fraction_bits);
+        let of = sum.assumed(0.0, length * length, fact);
         let (vectors, lengths) = ([self.real; 2], [length; 2]);
-        of.standing_for(of.id(), Rule::DotProduct { of: of.real(), vectors, lengths })
+        of.standing_for(of.id(), Rule::DotProduct { of: of.real(), vectors, lengths, truncated })
+    }
+
+    fn truncated_dot(&self, other: &Vector, fraction_bits: u32) -> (Sig, f64) {
+        truncated_sum(fraction_bits, |axis| axis(self) * axis(other))
+    }
+
+    fn truncated_length_squared(&self, fraction_bits: u32) -> (Sig, f64) {
+        truncated_sum(fraction_bits, |axis| axis(self).squared())
     }
 
     /// Each component times `factor`.
@@ -148,10 +183,17 @@ impl Vector {
 
     /// The cross product.
     pub fn cross(&self, other: &Vector) -> Vector {
+        self.truncated_cross(other, WHOLE)
+    }
+
+    /// The cross product of products that are truncated to `fraction_bits` before they are subtracted:
+    /// each component is off by less than a unit of their last place.
+    pub fn truncated_cross(&self, other: &Vector, fraction_bits: u32) -> Vector {
+        let product = |a: &Sig, b: &Sig| (a * b).truncated(fraction_bits);
         Vector::new([
-            &self.y * &other.z - &self.z * &other.y,
-            &self.z * &other.x - &self.x * &other.z,
-            &self.x * &other.y - &self.y * &other.x,
+            product(&self.y, &other.z) - product(&self.z, &other.y),
+            product(&self.z, &other.x) - product(&self.x, &other.z),
+            product(&self.x, &other.y) - product(&self.y, &other.x),
         ])
     }
 
@@ -191,4 +233,20 @@ impl Sub<&Vector> for Vector {
     fn sub(self, other: &Vector) -> Vector {
         &self - other
     }
+}
+
+/// The sum of what `product` says of each axis, truncated before it is added, and by how much that
+/// makes it smaller, at most.
+fn truncated_sum(fraction_bits: u32, product: impl Fn(fn(&Vector) -> &Sig) -> Sig) -> (Sig, f64) {
+    let mut lost = 0.0;
+    let mut truncated = |axis| {
+        let whole = product(axis);
+        let short = whole.truncated(fraction_bits);
+        if short.fraction_bits() < whole.fraction_bits() {
+            lost += short.ulp();
+        }
+        short
+    };
+    let sum = truncated(|of| &of.x) + truncated(|of| &of.y) + truncated(|of| &of.z);
+    (sum, lost)
 }

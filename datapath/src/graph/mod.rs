@@ -117,6 +117,35 @@ pub struct Graph {
 }
 
 impl Graph {
+    /// A graph without values, of a unit of this name; there is room for so many.
+    pub(crate) fn new(name: &str, formula: &str, values: usize) -> Graph {
+        let (none, nothing) = (NodeId(0), GroupId(0));
+        let top = Unit {
+            name: name.into(),
+            formula: formula.into(),
+            instance: name.into(),
+            parent: None,
+            inputs: nothing,
+            outputs: nothing,
+        };
+        Graph {
+            values: Vec::with_capacity(values),
+            reals: Vec::with_capacity(values),
+            vectors: vec![],
+            groups: vec![vec![]],
+            tables: vec![],
+            units: vec![top],
+            inputs: vec![],
+            valid: none,
+            start: none,
+            interval: 1,
+            leaves: none,
+            outputs: vec![],
+            assumptions: vec![],
+            left_out: vec![],
+        }
+    }
+
     /// The value `id`.
     pub fn value(&self, id: NodeId) -> &Value {
         &self.values[id.0 as usize]

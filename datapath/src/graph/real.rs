@@ -88,7 +88,7 @@ pub enum Rule {
         error: f64,
     },
     /// The product of two vectors whose lengths are known, by Cauchy and Schwarz off by
-    /// |a| e_b + |b| e_a + e_a e_b.
+    /// |a| e_b + |b| e_a + e_a e_b, and by what its products were truncated by.
     DotProduct {
         /// The sum of products.
         of: RealId,
@@ -96,6 +96,8 @@ pub enum Rule {
         vectors: [VectorId; 2],
         /// Their lengths.
         lengths: [f64; 2],
+        /// What truncated products make it smaller, at most.
+        truncated: f64,
     },
     /// The other real value, of whose error a proof says more than rules do.
     Tightened {

@@ -110,6 +110,7 @@ pub fn cheapest_formats(
     frame: &Frame,
     wanted: &Wanted,
 ) -> Result<Result<Proven, NotProven>, BenchError> {
+    let start = &start.in_search_formats(wanted.kept);
     let search = Search { trials: Trials::new(start, wanted), start, frame, wanted };
     let goal = wanted.below - MARGIN;
     let mut below = goal;

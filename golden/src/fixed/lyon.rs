@@ -16,7 +16,7 @@ use super::packet;
 use super::root::reciprocal_square_root;
 use super::span_extent::SpanExtent;
 use super::spot::spotted;
-use super::vector::{Vector, cross, dot};
+use super::vector::{Vector, dot, truncated_cross, truncated_dot};
 use super::vector_ways::VectorWays;
 use super::wrapped::{WrapFormats, wrapped};
 
@@ -243,12 +243,11 @@ impl Lyon {
         if by.0 == Normalisation::None {
             return (*vector, *vector != [Wide::ZERO; 3]);
         }
-        let z = narrow(
-            observer,
-            format_args!("{prefix}length_squared"),
-            dot(vector, vector),
-            f.length_squared,
-        );
+        let square = match by.0 {
+            Normalisation::Exact => dot(vector, vector),
+            _ => truncated_dot(vector, vector, f.product.fraction_bits),
+        };
+        let z = narrow(observer, format_args!("{prefix}length_squared"), square, f.length_squared);
         let gain = self.gain(z, by, observer);
         let unit = vector.map(|c| gain * c);
         (narrow_vector(observer, name, unit, f.vector), z != Wide::ZERO)
@@ -351,7 +350,8 @@ impl Lyon {
 
     fn diffuse(&self, normal: &Vector, direction: &Vector, observer: &mut impl Observer) -> Wide {
         // Rounding is monotonic and leaves 0 as it is, so that the clamp may come first.
-        let cosine = dot(normal, direction).max(Wide::ZERO);
+        let cosine = truncated_dot(normal, direction, self.formats.product.fraction_bits);
+        let cosine = cosine.max(Wide::ZERO);
         narrow(observer, format_args!("diffuse"), cosine, self.formats.diffuse)
     }
 
@@ -398,7 +398,8 @@ impl Lyon {
         observer: &mut impl Observer,
     ) -> Wide {
         let exponent = shininess << self.difference.log2_exponent_factor();
-        let argument = (exponent * dot(difference, difference)) >> (self.squarings + 1);
+        let square = truncated_dot(difference, difference, self.formats.product.fraction_bits);
+        let argument = (exponent * square) >> (self.squarings + 1);
         let argument =
             narrow(observer, format_args!("shape_argument"), argument, self.formats.shape);
         (Wide::ONE - argument).max(Wide::ZERO)
@@ -481,7 +482,8 @@ impl Lyon {
         normal: &Vector,
         observer: &mut impl Observer,
     ) -> Vector {
-        narrow_vector(observer, "difference", cross(halfway, normal), self.formats.difference)
+        let d = truncated_cross(halfway, normal, self.formats.product.fraction_bits);
+        narrow_vector(observer, "difference", d, self.formats.difference)
     }
 
     /// D = 2(n·of) n - of - from (methods B2, B4).

@@ -42,6 +42,13 @@ pub fn round_to(value: Wide, fraction_bits: u32) -> Wide {
     ((value << fraction_bits) + HALF).floor() >> fraction_bits
 }
 
+/// The largest number not above it with so many fraction bits: floor(x · 2^f) / 2^f.
+///
+/// |x| · 2^f < 2^63, as for a product of less than 2^4 with 56 fraction bits.
+pub fn truncate_to(value: Wide, fraction_bits: u32) -> Wide {
+    (value << fraction_bits).floor() >> fraction_bits
+}
+
 /// p / q rounded to nearest, ties up, for p ≥ 0 and q > 0.
 ///
 /// floor(p/q · 2^f + 1/2) = floor((p · 2^(f+1) + q) / 2q), on raw values, whose common factor 2^-64

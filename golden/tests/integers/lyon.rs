@@ -12,7 +12,10 @@ pub fn code(spec: &LyonSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
     let mut terms = Vec::new();
     for light in 0..lights {
         let l = raw.vector(&format!("light{light}_direction"));
-        let cosine = round(dot(n, l), 2 * spec.formats.vector.fraction_bits, diffuse_bits).max(0);
+        let bits_of_product = 2 * spec.formats.vector.fraction_bits;
+        let cosine =
+            round(truncated_dot(spec, n, l, bits_of_product), bits_of_product, diffuse_bits);
+        let cosine = cosine.max(0);
         terms.push((format!("light{light}_diffuse"), cosine << (bits - diffuse_bits)));
         // A normal that rounds to nothing has no direction.
         let highlight = if has_direction { shape(spec, raw, n, light) } else { 0 };
@@ -54,7 +57,11 @@ fn normal(spec: &LyonSpec, raw: &Raw, i: u32) -> ([i128; 3], bool) {
         let n = wrapped(spec, lerp, raw.vector("wrap_axis"));
         return (n, n != [0; 3]);
     }
-    let z = round(dot(lerp, lerp), 2 * v, zf);
+    let square = match spec.normalisation {
+        Normalisation::Exact => dot(lerp, lerp),
+        _ => truncated_dot(spec, lerp, lerp, 2 * v),
+    };
+    let z = round(square, 2 * v, zf);
     let y = (1 << zf) - z;
     let mut g = match spec.normalisation {
         Normalisation::None => return (lerp, lerp != [0; 3]),
@@ -158,7 +165,8 @@ fn product(spec: &LyonSpec, n: i128, difference: [i128; 3]) -> i128 {
         _ => 1,
     };
     let of_n = if spec.odd_power > 1 { spec.formats.shininess_share.fraction_bits } else { 0 };
-    round(factor * n * dot(difference, difference), 2 * d + of_n + spec.squarings + 1, s)
+    let square = truncated_dot(spec, difference, difference, 2 * d);
+    round(factor * n * square, 2 * d + of_n + spec.squarings + 1, s)
 }
 
 /// u·u whole, however long u is: from 1 on it makes no difference, so the augmented comparator is
@@ -203,12 +211,9 @@ fn projection(spec: &LyonSpec, h: [i128; 3], n: [i128; 3]) -> [i128; 3] {
 
 fn cross_halfway(spec: &LyonSpec, h: [i128; 3], n: [i128; 3]) -> [i128; 3] {
     [(1, 2), (2, 0), (0, 1)].map(|(p, q)| {
-        let component = h[p] * n[q] - h[q] * n[p];
-        round(
-            component,
-            2 * spec.formats.vector.fraction_bits,
-            spec.formats.difference.fraction_bits,
-        )
+        let bits = 2 * spec.formats.vector.fraction_bits;
+        let component = truncated(spec, h[p] * n[q], bits) - truncated(spec, h[q] * n[p], bits);
+        round(component, bits, spec.formats.difference.fraction_bits)
     })
 }
 
@@ -220,4 +225,15 @@ fn reflected_minus(spec: &LyonSpec, n: [i128; 3], of: [i128; 3], from: [i128; 3]
 
 fn dot(a: [i128; 3], b: [i128; 3]) -> i128 {
     (0..3).map(|c| a[c] * b[c]).sum()
+}
+
+/// a·b of truncated products, which have so many fraction bits.
+fn truncated_dot(spec: &LyonSpec, a: [i128; 3], b: [i128; 3], bits: u32) -> i128 {
+    (0..3).map(|c| truncated(spec, a[c] * b[c], bits)).sum()
+}
+
+/// A product of so many fraction bits without those that truncation takes: they are 0 then.
+fn truncated(spec: &LyonSpec, product: i128, bits: u32) -> i128 {
+    let lost = bits.saturating_sub(spec.formats.product.fraction_bits);
+    product.div_euclid(1 << lost) << lost
 }

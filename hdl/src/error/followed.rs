@@ -135,6 +135,7 @@ mod tests {
             length_squared: any,
             gain: any,
             way_accumulator: any,
+            product: Format::signed(3, 24),
             diffuse: any,
             difference: any,
             root_shininess: any,

@@ -29,6 +29,8 @@ pub struct Approximation {
     pub length_squared: Format,
     /// Of g, g² and 3 - z g².
     pub gain: Format,
+    /// What a square in z is less after it was truncated, at most.
+    pub truncated: f64,
     /// Unit of the last place of z, which may have fewer bits than its format.
     pub z_ulp: f64,
 }
@@ -64,6 +66,7 @@ impl Approximation {
             vector,
             length_squared,
             gain,
+            truncated: lyon.formats.truncated(vector),
             z_ulp,
         }
     }
@@ -117,19 +120,25 @@ impl Approximation {
     /// 1 where rounding may decide whether z > 0.
     fn direction_error(&self, bounds: VectorBound) -> f64 {
         let surely = bounds.surely();
-        let rounds_to_one = surely * surely >= 0.5 * self.length_squared.ulp();
+        let rounds_to_one =
+            surely * surely >= 0.5 * self.length_squared.ulp() + 3.0 * self.truncated;
         if surely > 0.0 && rounds_to_one { 0.0 } else { 1.0 }
     }
 
     fn gain_within(&self, bounds: VectorBound) -> Gain {
         let ends = (bounds.surely(), bounds.longest + bounds.error.length);
-        let first = Gain::first(self.first, ends, 0.5 * self.z_ulp, self.gain.ulp());
+        let first = Gain::first(self.first, ends, self.error_of_z(), self.gain.ulp());
         first.after_newton_steps(self.newton_steps)
+    }
+
+    /// What z is off by besides N': half a unit, and what three squares lost.
+    fn error_of_z(&self) -> f64 {
+        0.5 * self.z_ulp + 3.0 * self.truncated
     }
 
     fn coarsest_ulp(&self) -> f64 {
         let formats = [self.vector, self.length_squared, self.gain];
-        formats.map(Format::ulp).into_iter().fold(0.0, f64::max)
+        formats.map(Format::ulp).into_iter().fold(self.truncated, f64::max)
     }
 }
 
@@ -205,7 +214,7 @@ struct Gain {
     steepest_length: f64,
     /// s.
     shortest: f64,
-    /// e_z, what z is rounded by.
+    /// e_z, what z is off by besides N'.
     error_of_z: f64,
     /// u, unit of the last place of g.
     ulp: f64,
@@ -289,7 +298,7 @@ mod tests {
     /// n with every rounding off by what `within` says of half a unit.
     fn scaled(of: &Approximation, normal: DVec3, mut within: impl FnMut(f64) -> f64) -> DVec3 {
         let half_unit = 0.5 * of.gain.ulp();
-        let z = normal.length_squared() + within(0.5 * of.z_ulp);
+        let z = normal.length_squared() + within(of.error_of_z());
         let mut g = of.first.of(1.0 - z) + within(half_unit);
         for _ in 0..of.newton_steps {
             let square = g * g + within(half_unit);
@@ -338,6 +347,7 @@ mod tests {
                     vector: Format::signed(1, fraction_bits),
                     length_squared,
                     gain,
+                    truncated: 0.1 * length_squared.ulp(),
                     z_ulp: length_squared.ulp(),
                 };
                 let bounds = VectorBound::ball(shortest, 1.0 + error, error);

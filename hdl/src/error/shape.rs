@@ -55,12 +55,17 @@ fn largest_exponent(shininess: Bound, lyon: &LyonSpec) -> f64 {
 /// Each counts as often as [`LengthError`] says, or the first as often as D is off as a whole.
 /// Smaller exponents have no more of any at the same y.
 ///
-/// Then f of the fixed D, with y', is rounded: see `Highlight::rounding`. y' is no further from
+/// Then f of the fixed D, with y', is rounded, and its squares truncated: see `Highlight::rounding`. y' is no further from
 /// any y on the way to it than √(n/2K) times what D is off.
 fn of_exponent(d: VectorBound, length_error: LengthError, shininess: f64, lyon: &LyonSpec) -> f64 {
     let n = shininess * f64::from(1u32 << lyon.difference.log2_exponent_factor());
     let powers = Powers { odd: lyon.odd_power, squarings: lyon.squarings };
-    let highlight = Highlight { n, powers, ulp: lyon.formats.shape.ulp() };
+    let highlight = Highlight {
+        n,
+        powers,
+        ulp: lyon.formats.shape.ulp(),
+        truncated: lyon.formats.truncated(lyon.formats.difference),
+    };
     let whole = LengthError::whole(d.error.length);
     let moved = (n / (2.0 * highlight.terms())).sqrt() * whole.level;
     // Of most D nothing more is known than of the whole.
@@ -115,7 +120,10 @@ impl Powers {
 struct Highlight {
     n: f64,
     powers: Powers,
+    /// Unit of the last place of x/K and of powers.
     ulp: f64,
+    /// What each square in D·D is less, at most.
+    truncated: f64,
 }
 
 impl Highlight {
@@ -151,7 +159,7 @@ impl Highlight {
     /// What rounding adds for y from `begin` on, with b for the real and the rounded 1 - y'².
     ///
     /// ```text
-    /// K b^(K-1)     half a unit of x/K, raised to K
+    /// K b^(K-1)     half a unit of x/K, raised to K, and what that lost before
     /// s b^(K-e)     half a unit of b^e, which is a factor of the result s times
     /// ```
     ///
@@ -160,15 +168,18 @@ impl Highlight {
     /// and a half, and a product with b by a unit more. So the mean is no more than the power of 1 -
     /// y'² + K units, b^e + e/2 units ≤ (b + K units)^e, as long as b^(e-1) K is 1/2 or more:
     /// [`Powers::floor`] is put for less.
+    /// Three squares of D that are t less each make x/K = (n/2K) D·D less by 3t n/2K.
     fn rounding(&self, begin: f64) -> f64 {
+        let lost = 3.0 * self.truncated * self.n / (2.0 * self.terms());
         let floor = self.powers.floor();
-        let base = ((1.0 - begin * begin).max(floor) + self.terms() * self.ulp).min(1.0);
+        let units = self.terms() * (self.ulp + lost);
+        let base = ((1.0 - begin * begin).max(floor) + units).min(1.0);
         let terms = self.powers.terms() as i32;
         let of_power =
             |(power, times): (u32, u32)| f64::from(times) * base.powi(terms - power as i32);
         let of_x = self.terms() * base.powi(terms - 1);
         let of_powers: f64 = self.powers.rounded().into_iter().map(of_power).sum();
-        0.5 * self.ulp * (of_x + of_powers)
+        lost * of_x + 0.5 * self.ulp * (of_x + of_powers)
     }
 }
 
@@ -299,23 +310,28 @@ mod tests {
     /// 70 % of the bound is reached.
     #[test]
     fn rounded_highlights_of_longer_and_shorter_vectors_stay_within_the_bound() {
-        for ([odd, squarings], n, ulp, off) in [
-            ([1, 0], 16.0, 1.0 / 1024.0, 1e-3),
-            ([1, 2], 256.0, 1.0 / 4096.0, 2e-4),
-            ([1, 3], 8191.0, 1.0 / 512.0, 2e-5),
-            ([3, 0], 64.0, 1.0 / 4096.0, 2e-4),
-            ([5, 1], 256.0, 1.0 / 4096.0, 2e-4),
-            ([1, 4], 256.0, 1.0 / 4096.0, 2e-4),
-            ([15, 0], 256.0, 1.0 / 4096.0, 2e-4),
+        for ([odd, squarings], n, ulp, off, truncated) in [
+            ([1, 0], 16.0, 1.0 / 1024.0, 1e-3, 0.0),
+            ([1, 2], 256.0, 1.0 / 4096.0, 2e-4, 0.0),
+            ([1, 3], 8191.0, 1.0 / 512.0, 2e-5, 0.0),
+            ([1, 0], 16.0, 1.0 / 65536.0, 1e-5, 1e-3),
+            ([1, 2], 256.0, 1.0 / 65536.0, 2e-4, 1e-5),
+            ([3, 0], 64.0, 1.0 / 4096.0, 2e-4, 0.0),
+            ([5, 1], 256.0, 1.0 / 4096.0, 2e-4, 0.0),
+            ([1, 4], 256.0, 1.0 / 4096.0, 2e-4, 0.0),
+            ([15, 0], 256.0, 1.0 / 4096.0, 2e-4, 0.0),
         ] {
-            let of = Highlight { n, powers: Powers { odd, squarings }, ulp };
+            let of = Highlight { n, powers: Powers { odd, squarings }, ulp, truncated };
+            let lost = 3.0 * truncated * n / (2.0 * of.terms());
             let level = LengthError { level: off, growing: 0.0, falling: 0.0 };
             let moved = (n / (2.0 * of.terms())).sqrt() * off;
             let bound = of.worst(level, moved);
             let exact = |d: f64| (1.0 - n * d * d / (2.0 * of.terms())).max(0.0).powf(of.terms());
             let fixed = |d: f64, nudge: f64| {
                 let rounded = |x: f64| ((x / ulp + nudge).floor() * ulp).clamp(0.0, 1.0);
-                let base = 1.0 - rounded(n * d * d / (2.0 * of.terms()));
+                // What rounds x down has truncated its squares besides.
+                let lost = if nudge < 0.5 { lost } else { 0.0 };
+                let base = 1.0 - rounded(n * d * d / (2.0 * of.terms()) - lost);
                 let digits = (0..odd.ilog2()).rev();
                 let to_odd = digits.fold(base, |f, digit| {
                     let square = rounded(f * f);

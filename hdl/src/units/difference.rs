@@ -14,8 +14,10 @@ pub fn halfway_cross_normal(b: &Builder, h: &Vector, n: &Vector, formats: &LyonF
         "D = H x N, H = L + V [methods B13]",
         (("h", h), ("n", n)),
         |_, (h, n)| {
-            let proven = difference::cross_product([&h, &n].map(Vector::bound), formats.vector);
-            rounded(&h.cross(&n), proven, "|H x N| <= |H||N|", formats)
+            let (vector, of) = (formats.vector, [&h, &n].map(Vector::bound));
+            let proven = difference::cross_product(of, vector, formats.truncated(vector));
+            let d = h.truncated_cross(&n, formats.product.fraction_bits);
+            rounded(&d, proven, "|H x N| <= |H||N|", formats)
         },
     )
 }

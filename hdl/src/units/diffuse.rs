@@ -11,7 +11,8 @@ pub fn diffuse(b: &Builder, n: &Vector, l: &Vector, formats: &LyonFormats) -> Si
     b.unit("diffuse", "I = max(N.L, 0) [Lambert]", (("n", n), ("l", l)), |_, (n, l)| {
         // A rounded unit vector is longer than 1 by √3/2 units of the last place at most.
         let lengths = (n.longest(), 1.0 + formats.vector.ulp());
-        let cosine = n.dot_within(&l, lengths, "|N.L| <= |N||L|");
+        let bits = formats.product.fraction_bits;
+        let cosine = n.truncated_dot_within(&l, bits, lengths, "|N.L| <= |N||L|");
         to_nonnegative(&cosine, formats.diffuse.fraction_bits).named("intensity")
     })
 }

@@ -30,10 +30,15 @@ pub fn normalise(b: &Builder, normal: &Vector, lyon: &LyonSpec) -> (Vector, Sig)
         }
     };
     b.unit("normalise", formula, (("normal", normal),), |b, (normal,)| {
-        let z = normal // U1.length_squared
-            .length_squared_within(normal.longest(), "|N'| <= 1")
-            .rounded(f.length_squared.fraction_bits)
-            .named("length_squared");
+        let z =
+            normal // U1.length_squared
+                .truncated_length_squared_within(
+                    f.product.fraction_bits,
+                    normal.longest(),
+                    "|N'| <= 1",
+                )
+                .rounded(f.length_squared.fraction_bits)
+                .named("length_squared");
         let proven = error::normalise::normalised(first, lyon, normal.bound(), z.bound());
 
         let y = (b.integer(1) - &z).named("y"); // S1.length_squared

@@ -32,8 +32,13 @@ pub fn shape(
         |b, (d, n, has_direction)| {
             let fraction_bits = lyon.formats.shape.fraction_bits;
             let error = error::shape::bound(d.bound(), length_error, n.bound(), lyon);
-            let squared_length =
-                d.length_squared_within(d.longest(), "|D| <= 2").named("d_squared");
+            let squared_length = d
+                .truncated_length_squared_within(
+                    lyon.formats.product.fraction_bits,
+                    d.longest(),
+                    "|D| <= 2",
+                )
+                .named("d_squared");
             let x = (&n * squared_length)
                 .times_power_of_two(log2_factor as i32 - (lyon.squarings as i32 + 1))
                 .rounded(fraction_bits)

@@ -79,9 +79,9 @@ fn derived(graph: &Graph, bounds: &Bounds, rule: &Rule, (fixed, ulp): (Interval,
         Rule::Accumulated { start, step, steps } => {
             Derived::bounded(of(start).error + f64::from(*steps) * of(step).error)
         }
-        Rule::DotProduct { of: sum, vectors, lengths } => {
+        Rule::DotProduct { of: sum, vectors, lengths, truncated } => {
             let [a, b] = vectors.map(|vector| bounds.of_vector(graph, vector));
-            let error = dot_product_error(*lengths, [a.error.length, b.error.length]);
+            let error = truncated + dot_product_error(*lengths, [a.error.length, b.error.length]);
             let squared = vectors[0] == vectors[1];
             let least = if squared { a.shortest * a.shortest } else { f64::NEG_INFINITY };
             Derived::bounded(error.min(of(sum).error))

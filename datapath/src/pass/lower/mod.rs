@@ -14,6 +14,8 @@ mod sum;
 
 use std::collections::{HashMap, HashSet};
 
+use rustc_hash::FxHashSet;
+
 use super::loops::loops;
 use crate::design::{NodeId, Op, Range, ScopeId, WideRange};
 use crate::format::WIDEST_SIGNAL;
@@ -87,7 +89,7 @@ struct Lowering<'a> {
     graph: Graph,
     /// The new value of each old one.
     new: Vec<NodeId>,
-    names: HashSet<(ScopeId, String)>,
+    names: FxHashSet<(ScopeId, String)>,
     /// Odd multiples of values of a unit that are there, by value and factor.
     multiples: HashMap<(ScopeId, NodeId, i64), NodeId>,
     /// Which old values may change from pixel to pixel of a span.

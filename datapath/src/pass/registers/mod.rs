@@ -6,7 +6,9 @@
 mod multiplier;
 mod validity;
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
+
+use rustc_hash::FxHashSet;
 
 use crate::design::{
     Design, MultiplierBlock, Node, NodeId, Op, Primitives, Register, Scope, ScopeId,
@@ -35,7 +37,7 @@ struct Placing<'a> {
     signals: Vec<Option<NodeId>>,
     /// The delay register behind a signal, in its unit.
     delays: HashMap<NodeId, NodeId>,
-    names: HashSet<(ScopeId, String)>,
+    names: FxHashSet<(ScopeId, String)>,
     multipliers: Vec<MultiplierBlock>,
     /// Signals that give the value of an input of their unit as an output, by that input.
     passed_through: HashMap<NodeId, NodeId>,
