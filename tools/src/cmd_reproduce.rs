@@ -2,6 +2,7 @@
 mod document;
 mod figure9;
 mod figures;
+mod gates;
 mod hast;
 mod lecture;
 mod page;
@@ -29,7 +30,8 @@ Evaluates the papers' claims with this program's own exact shading and with its 
 numbers with the project's independent measurements, and says whether each claim holds; draws the \
 papers' figures and pictures. Writes DIR/reproduction.md and DIR/images/. `specula reproduce figure9` \
 shades Lyon's figure 9 with a core for each of its twelve rows, in a folder of its own; `specula \
-reproduce project` times the papers' loops.
+reproduce project` times the papers' loops; `specula reproduce gates` counts the gates of Lyon's \
+datapaths and of standard Phong shading.
 
 Exit status: 0 if every number is the one measured before, 1 if not.
 
@@ -64,6 +66,8 @@ enum Part {
     Figure9(figure9::Arguments),
     /// Time the papers' loops on three models, as the lecture's project 1 asks
     Project(project::Arguments),
+    /// Count the gates and cells of Lyon's datapaths and of standard Phong shading at equal error
+    Gates(gates::Arguments),
 }
 
 fn paper_parser() -> impl TypedValueParser<Value = Paper> {
@@ -81,6 +85,7 @@ pub fn execute(
     match &arguments.part {
         Some(Part::Figure9(figure)) => figure9::execute(figure, stdout, interrupts),
         Some(Part::Project(project)) => project::execute(project, stdout, interrupts),
+        Some(Part::Gates(gates)) => gates::execute(gates, stdout, interrupts),
         None => claims(arguments, stdout, interrupts),
     }
 }
@@ -109,7 +114,7 @@ fn claims(
 }
 
 /// What the section about Lyon's report says besides claims and plots.
-const LYON: &str = "`specula reproduce figure9` shades figure 9, the twelve formulations on five spheres, with a core for each row: [figure9.md](figure9.md).";
+const LYON: &str = "`specula reproduce figure9` shades figure 9, the twelve formulations on five spheres, with a core for each row: [figure9.md](figure9.md). `specula reproduce gates` counts what his datapaths and standard Phong shading take in gates, look-up tables and blocks at equal error: [gates.md](gates.md).";
 
 fn section(paper: Paper, mesh: &PicturedMesh) -> Result<Section, ToolError> {
     let mut section = Section::of(paper)?;

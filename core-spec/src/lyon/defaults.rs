@@ -42,7 +42,8 @@ impl LyonSpec {
         },
         OptionDomain { key: "halfway", values: &["\"unit\"", "\"half\"", "\"half-g2\""] },
         OptionDomain { key: "shape", values: &["\"f-k\"", "\"root\""] },
-        OptionDomain { key: "squarings", values: &["0", "1", "2", "3"] },
+        OptionDomain { key: "squarings", values: &["0", "1", "2", "3", "4"] },
+        OptionDomain { key: "odd_power", values: &["1", "3", "5", "7", "9", "11", "13", "15"] },
         Places::OPTION_DOMAIN,
     ];
 
@@ -60,6 +61,7 @@ impl LyonSpec {
             halfway: Halfway::Unit,
             shape: ShapeDatapath::FK,
             squarings: 2,
+            odd_power: 1,
             places: Places::for_needs(needs),
             formats: LyonFormats {
                 // A step is off by half an ulp, and so is S times that at the end of the span: log2
@@ -81,11 +83,19 @@ impl LyonSpec {
                 difference: Format::signed(2, vector),
                 // m is off by 2^-9 at most, and f by 2/m of that and less: 0.3 LSB where m is √2.
                 root_shininess: Format::unsigned(7, if typical { 8 } else { 10 }),
+                // A bit more of D, as bright highlights ask for, must have room too.
+                shininess_share: Format::unsigned(13, shape.min(room_for_share(vector + 1))),
                 scaled_difference: Format::unsigned(8, shape),
                 shape: Format::unsigned(1, shape),
             },
         }
     }
+}
+
+/// The most fraction bits of a share of n where D has so many: of the 62 bits of n D·D, D·D has twice
+/// D's and 3 more, and the share of n 13 whole ones.
+fn room_for_share(difference_bits: u32) -> u32 {
+    46_u32.saturating_sub(2 * difference_bits).max(FEWEST_FRACTION_BITS)
 }
 
 /// The product of two numbers with the most fraction bits, which is not truncated.
@@ -184,7 +194,16 @@ impl ShadingMethod for LyonSpec {
 
     fn check_options(&self) -> Result<(), SpecError> {
         within("newton_steps", self.newton_steps.into(), 0.0, 3.0)?;
-        within("squarings", self.squarings.into(), 0.0, 3.0)
+        within("squarings", self.squarings.into(), 0.0, 4.0)?;
+        if self.odd_power.is_multiple_of(2) {
+            return Err(SpecError::Core {
+                message: format!(
+                    "`odd_power` is {}, which is even: powers of two are `squarings`",
+                    self.odd_power
+                ),
+            });
+        }
+        within("odd_power", self.odd_power.into(), 1.0, 15.0)
     }
 
     fn places_seen_from(&self) -> Viewpoint {
@@ -274,12 +293,23 @@ impl LyonSpec {
         let point = NarrowingPoint::rounded;
         match self.shape {
             ShapeDatapath::FK => {
-                let x = if self.difference.takes_unit_halfway() {
-                    "x = 4n D.D / 2^(k+1), and each square of 1 - x"
-                } else {
-                    "x = n D.D / 2^(k+1), and each square of 1 - x"
+                let x = match (self.difference.takes_unit_halfway(), self.odd_power) {
+                    (true, 1) => "x = 4n D.D / 2^(k+1), and each square of 1 - x",
+                    (false, 1) => "x = n D.D / 2^(k+1), and each square of 1 - x",
+                    (true, _) => "x = 4n D.D / 2K, and each power of 1 - x",
+                    (false, _) => "x = n D.D / 2K, and each power of 1 - x",
                 };
-                vec![point("shape", f.shape, UNIT, x)]
+                let mut points = Vec::new();
+                if self.odd_power > 1 {
+                    let share = "n over the odd power, rounded by the host";
+                    let whole = Format::unsigned(13, 0);
+                    points.push(
+                        point("shininess_share", f.shininess_share, whole, share)
+                            .with_at_most(room_for_share(f.difference.fraction_bits)),
+                    );
+                }
+                points.push(point("shape", f.shape, UNIT, x));
+                points
             }
             ShapeDatapath::Root => vec![
                 point(
@@ -295,7 +325,16 @@ impl LyonSpec {
                     Format::unsigned(8, 0),
                     "u_c = m |D_c| / 2^h",
                 ),
-                point("shape", f.shape, UNIT, "x = u.u, and each square of 1 - x"),
+                point(
+                    "shape",
+                    f.shape,
+                    UNIT,
+                    if self.odd_power == 1 {
+                        "x = u.u, and each square of 1 - x"
+                    } else {
+                        "x = u.u, and each power of 1 - x"
+                    },
+                ),
             ],
         }
     }
@@ -344,6 +383,9 @@ impl LyonSpec {
             ShapeDatapath::FK => "",
             ShapeDatapath::Root => "; from squares of m D, m = sqrt(n)",
         };
-        format!("f = (1 - x)^(2^k), 0 from x = 1 on; k = {}{from}", self.squarings)
+        match self.odd_power {
+            1 => format!("f = (1 - x)^(2^k), 0 from x = 1 on; k = {}{from}", self.squarings),
+            _ => format!("f = (1 - x)^K, 0 from x = 1 on; K = {}{from}", self.terms()),
+        }
     }
 }

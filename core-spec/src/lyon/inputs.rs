@@ -159,19 +159,29 @@ impl LyonSpec {
 
     fn shininess_input(&self, core: &CoreParameters) -> CoreInput {
         let largest = core.largest_shininess;
-        match self.shape {
-            ShapeDatapath::FK => {
+        match (self.shape, self.odd_power) {
+            (ShapeDatapath::FK, 2..) => {
+                let share = |shininess: u32| self.shininess_factor() * f64::from(shininess);
+                let format = self.formats.shininess_share;
+                let computed = format!("the material's n over {}", self.odd_power);
+                let meaning =
+                    InputMeaning::of(Exponent, "a share of the highlight's exponent", computed);
+                CoreInput::between(meaning, "shininess_share", format, share(1), share(largest))
+            }
+            (ShapeDatapath::FK, _) => {
                 let format = Format::unsigned(u32::BITS - largest.leading_zeros(), 0);
                 let meaning =
                     InputMeaning::of(Exponent, "the highlight's exponent", "the material's n");
                 CoreInput::between(meaning, "shininess", format, 1.0, f64::from(largest))
             }
-            ShapeDatapath::Root => {
-                let root = |shininess| f64::from(self.squared_root_shininess(shininess)).sqrt();
-                let squared = match self.squared_root_shininess(1) {
-                    1 => "the root of the material's n",
-                    _ => "the root of twice the material's n",
+            (ShapeDatapath::Root, _) => {
+                let root = |shininess| (self.root_factor() * f64::from(shininess)).sqrt();
+                let of = if self.squarings.is_multiple_of(2) { "twice " } else { "" };
+                let over = match self.odd_power {
+                    1 => String::new(),
+                    odd => format!(" over {odd}"),
                 };
+                let squared = format!("the root of {of}the material's n{over}");
                 CoreInput::between(
                     InputMeaning::of(Exponent, "the root of the highlight's exponent", squared),
                     "root_shininess",

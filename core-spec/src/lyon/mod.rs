@@ -138,8 +138,11 @@ pub struct LyonSpec {
     pub halfway: Halfway,
     /// How f_k is computed from D.
     pub shape: ShapeDatapath,
-    /// k of the shape function f_k(x) = (1 - x/2^k)^(2^k), 0 to 3: how often the shape is squared.
+    /// k of the shape function f_k(x) = (1 - x/2^k)^(2^k), 0 to 4: how often the shape is squared.
     pub squarings: u32,
+    /// An odd number from 1 to 15: the shape function is (1 - x/K)^K with K this times 2^k (B10).
+    #[serde(default = "one")]
+    pub odd_power: u32,
     /// From where lights and the eye at places are seen.
     pub places: Places,
     /// The narrowing points.
@@ -180,11 +183,24 @@ formats! {
         pub difference: Format,
         /// m of the root shape: `U7.f`. The host rounds it.
         pub root_shininess: Format,
+        /// n over an odd power greater than 1: `U13.f`. The host rounds it.
+        #[serde(default = "default_shininess_share")]
+        pub shininess_share: Format,
         /// m|D_c| 2^-h of the root shape: `U8.f`.
         pub scaled_difference: Format,
         /// x/2^k before comparison with 1, 1 - x/2^k, and after each squaring: `U1.f`.
         pub shape: Format,
     }
+}
+
+/// Without an odd power, as in files of cores that were made before there was one.
+const fn one() -> u32 {
+    1
+}
+
+/// The format of what those cores do not have.
+const fn default_shininess_share() -> Format {
+    Format::unsigned(13, 12)
 }
 
 impl LyonFormats {
@@ -210,15 +226,27 @@ impl LyonSpec {
         LyonSpec { normalisation: Normalisation::G2, newton_steps: 0, ..self.clone() }
     }
 
-    /// h of the root shape, u_c = m|D_c| 2^-h: 1, 1, 2, 2 for k = 0 to 3, and one less where D goes
-    /// with 4n.
+    /// K of the shape function (1 - x/K)^K.
+    pub const fn terms(&self) -> u32 {
+        self.odd_power << self.squarings
+    }
+
+    /// h of the root shape, u_c = m|D_c| 2^-h: 1, 1, 2, 2, 3 for k = 0 to 4, and one less where D
+    /// goes with 4n.
     pub const fn root_shift(&self) -> u32 {
         self.squarings / 2 + 1 - self.difference.log2_exponent_factor() / 2
     }
 
-    /// m² of the root shape for an exponent n, so that u·u = n D·D / 2^(k+1): n for odd k, and 2n
-    /// for even k, whose shift is a half too far. Where D goes with 4n, the shift has the factor.
-    pub const fn squared_root_shininess(&self, shininess: u32) -> u32 {
-        if self.squarings.is_multiple_of(2) { 2 * shininess } else { shininess }
+    /// What m² of the root shape is for n = 1, so that u·u = n D·D / 2K: 1 for odd k, and 2 for even
+    /// k, whose shift is a half too far, over the odd power. Where D goes with 4n, the shift has the
+    /// factor.
+    pub fn root_factor(&self) -> f64 {
+        let of_shift = if self.squarings.is_multiple_of(2) { 2.0 } else { 1.0 };
+        of_shift / f64::from(self.odd_power)
+    }
+
+    /// What the host multiplies n by where the shape is made of n D·D.
+    pub fn shininess_factor(&self) -> f64 {
+        1.0 / f64::from(self.odd_power)
     }
 }

@@ -113,11 +113,14 @@ impl LyonSetUp<'_> {
     }
 
     fn shininess(&self, shininess: u32) -> i64 {
-        match self.lyon.shape {
-            ShapeDatapath::FK => shininess.into(),
-            ShapeDatapath::Root => {
-                let squared = self.lyon.squared_root_shininess(shininess);
-                self.lyon.formats.root_shininess.quantise(f64::from(squared).sqrt())
+        let (lyon, n) = (self.lyon, f64::from(shininess));
+        match (lyon.shape, lyon.odd_power) {
+            (ShapeDatapath::FK, 2..) => {
+                lyon.formats.shininess_share.quantise(lyon.shininess_factor() * n)
+            }
+            (ShapeDatapath::FK, _) => shininess.into(),
+            (ShapeDatapath::Root, _) => {
+                lyon.formats.root_shininess.quantise((lyon.root_factor() * n).sqrt())
             }
         }
     }

@@ -3,6 +3,7 @@
 mod claim;
 pub mod drawn;
 pub mod figure;
+pub mod gates;
 pub mod hast;
 pub mod lecture;
 mod lyon;

@@ -88,7 +88,8 @@ fn method(spec: &CoreSpec) -> (&'static str, Values) {
             values.flag("bisector", lyon.axis != WrapAxis::Face);
             values.flag("follows", lyon.follows());
             values.flag("fixed", lyon.normals == Normals::Wrapped && !lyon.follows());
-            values.set("ROOT_FACTOR", lyon.squared_root_shininess(1));
+            values.set("ROOT_FACTOR", lyon.root_factor());
+            values.set("SHARE_FACTOR", lyon.shininess_factor());
             include_str!("templates/methods/lyon.txt")
         }
         MethodSpec::Phong(phong) => {

@@ -7,6 +7,7 @@
 //! [`Netlist`] that a simulator runs.
 mod cells;
 mod harness;
+mod logic;
 mod models;
 mod netlist;
 pub(crate) mod path;
@@ -20,6 +21,7 @@ use specula_datapath::Design;
 use specula_sim::{SimError, temporary_directory};
 
 pub use cells::Cells;
+pub use logic::Logic;
 pub use netlist::Netlist;
 pub use path::{CriticalPath, Step};
 pub use place::Placed;
@@ -111,6 +113,32 @@ impl Synthesis {
 pub fn synthesised(design: &Design, target: &SynthTarget) -> Result<Cells, SynthError> {
     let (yosys, directory) = (yosys::program()?, temporary_directory()?);
     Ok(yosys::run(&yosys, directory.path(), design, target)?.0)
+}
+
+/// The cells that Yosys makes of each design for a target, and what it takes in logic alone; as many
+/// at a time as there are processors. `watch` is told of each that is done.
+///
+/// # Errors
+/// [`SynthError::Tool`] if Yosys is not installed or fails.
+pub fn synthesised_both_ways(
+    designs: &[Design],
+    target: &SynthTarget,
+    watch: &(dyn Fn() + Sync),
+) -> Result<Vec<(Cells, Logic)>, SynthError> {
+    let both = |design: &Design| {
+        let both = (synthesised(design, target)?, Logic::of(design)?);
+        watch();
+        Ok(both)
+    };
+    designs.par_iter().map(both).collect()
+}
+
+/// The synthesiser that is used, with its version.
+///
+/// # Errors
+/// [`SynthError::Tool`] if Yosys is not installed.
+pub fn synthesiser() -> Result<String, SynthError> {
+    Ok(yosys::program()?.version_line()?)
 }
 
 /// Synthesises a design for a target, places and routes it with the seeds 1 to `seeds` for

@@ -76,7 +76,8 @@ pub fn run_circuit(
         .run_with_warnings(directory, &["-q".to_owned(), "-p".to_owned(), script.join("; ")])?)
 }
 
-fn write(directory: &Path, name: &str, text: &str) -> Result<(), SimError> {
+/// Writes a file for Yosys.
+pub fn write(directory: &Path, name: &str, text: &str) -> Result<(), SimError> {
     std::fs::write(directory.join(name), text)
         .map_err(SimError::file(format!("write {name} for Yosys")))
 }

@@ -35,6 +35,7 @@ pub(super) struct Lyon {
     difference: Difference,
     shape: ShapeDatapath,
     squarings: u32,
+    odd_power: u32,
     /// h of the root shape.
     root_shift: u32,
     halfway: Halfway,
@@ -50,6 +51,7 @@ impl Lyon {
             difference: lyon.difference,
             shape: lyon.shape,
             squarings: lyon.squarings,
+            odd_power: lyon.odd_power,
             root_shift: lyon.root_shift(),
             halfway: lyon.halfway,
             ways: VectorWays::new(
@@ -70,7 +72,7 @@ pub(super) struct Pixel {
     i: u32,
     /// V, and whether the eye is not at the very pixel.
     view: (Vector, bool),
-    /// n, or m of the root shape.
+    /// n, n over the odd power, or m of the root shape.
     shininess: Wide,
 }
 
@@ -353,19 +355,42 @@ impl Lyon {
         narrow(observer, format_args!("diffuse"), cosine, self.formats.diffuse)
     }
 
-    /// f_k of x, which is made of D and n or m.
+    /// f of x, which is made of D and n or m.
     fn specular(&self, difference: &Vector, shininess: Wide, observer: &mut impl Observer) -> Wide {
         let shape = match self.shape {
             ShapeDatapath::FK => self.shape_of_product(difference, shininess, observer),
             ShapeDatapath::Root => self.shape_of_squares(difference, shininess, observer),
         };
         observer.see(format_args!("shape"), shape, self.formats.shape);
-        (0..self.squarings).fold(shape, |f, k| {
+        let odd = self.to_odd_power(shape, observer);
+        (0..self.squarings).fold(odd, |f, k| {
             narrow(observer, format_args!("square{k}"), f * f, self.formats.shape)
         })
     }
 
-    /// max(0, 1 - x) with x = n D·D / 2^(k+1), or 4n for n.
+    /// The base to the odd power: of the power's binary digits behind the first, each squares, and a
+    /// 1 then multiplies by the base.
+    fn to_odd_power(&self, base: Wide, observer: &mut impl Observer) -> Wide {
+        let digits = (0..self.odd_power.ilog2()).rev();
+        digits.fold(base, |f, digit| {
+            let square =
+                narrow(observer, format_args!("odd_square{digit}"), f * f, self.formats.shape);
+            match (self.odd_power >> digit) & 1 {
+                0 => square,
+                _ => {
+                    let product = square * base;
+                    narrow(
+                        observer,
+                        format_args!("odd_product{digit}"),
+                        product,
+                        self.formats.shape,
+                    )
+                }
+            }
+        })
+    }
+
+    /// max(0, 1 - x) with x = n D·D / 2^(k+1), or 4n for n, and n over the odd power.
     fn shape_of_product(
         &self,
         difference: &Vector,

@@ -126,10 +126,31 @@ fn shape(spec: &LyonSpec, raw: &Raw, n: [i128; 3], light: usize) -> i128 {
     let s = spec.formats.shape.fraction_bits;
     let difference = difference(spec, raw, n, light);
     let x = match spec.shape {
+        ShapeDatapath::FK if spec.odd_power > 1 => {
+            product(spec, raw.get("shininess_share"), difference)
+        }
         ShapeDatapath::FK => product(spec, raw.get("shininess"), difference),
         ShapeDatapath::Root => squares(spec, raw.get("root_shininess"), difference),
     };
-    let mut f = ((1 << s) - x).max(0);
+    let base = ((1 << s) - x).max(0);
+    let mut f = base;
+    // The odd power by its binary digits, written out.
+    let digits: &[bool] = match spec.odd_power {
+        1 => &[],
+        3 => &[true],
+        5 => &[false, true],
+        7 => &[true, true],
+        9 => &[false, false, true],
+        11 => &[false, true, true],
+        13 => &[true, false, true],
+        _ => &[true, true, true],
+    };
+    for &multiplies in digits {
+        f = round(f * f, 2 * s, s);
+        if multiplies {
+            f = round(f * base, 2 * s, s);
+        }
+    }
     for _ in 0..spec.squarings {
         f = round(f * f, 2 * s, s);
     }
@@ -143,8 +164,9 @@ fn product(spec: &LyonSpec, n: i128, difference: [i128; 3]) -> i128 {
         Difference::UnitHalfwayMinusNormal | Difference::UnitHalfwayProjection => 4,
         _ => 1,
     };
+    let of_n = if spec.odd_power > 1 { spec.formats.shininess_share.fraction_bits } else { 0 };
     let square = truncated_dot(spec, difference, difference, 2 * d);
-    round(factor * n * square, 2 * d + spec.squarings + 1, s)
+    round(factor * n * square, 2 * d + of_n + spec.squarings + 1, s)
 }
 
 /// u·u whole, however long u is: from 1 on it makes no difference, so the augmented comparator is
@@ -152,8 +174,8 @@ fn product(spec: &LyonSpec, n: i128, difference: [i128; 3]) -> i128 {
 fn squares(spec: &LyonSpec, m: i128, difference: [i128; 3]) -> i128 {
     let f = &spec.formats;
     let shift = match spec.difference {
-        Difference::UnitHalfwayMinusNormal | Difference::UnitHalfwayProjection => [0, 0, 1, 1],
-        _ => [1, 1, 2, 2],
+        Difference::UnitHalfwayMinusNormal | Difference::UnitHalfwayProjection => [0, 0, 1, 1, 2],
+        _ => [1, 1, 2, 2, 3],
     };
     let from = f.root_shininess.fraction_bits
         + f.difference.fraction_bits

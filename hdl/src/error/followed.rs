@@ -139,6 +139,7 @@ mod tests {
             diffuse: any,
             difference: any,
             root_shininess: any,
+            shininess_share: any,
             scaled_difference: any,
             shape: any,
         }

@@ -37,26 +37,28 @@ fn wanted(lyon: &LyonSpec, row: &[i64]) -> i64 {
     let x =
         if scale >= f { rounded(n * dot(d, d), scale - f) } else { (n * dot(d, d)) << (f - scale) };
     let shape = if row[4] == 0 { 0 } else { ((1 << f) - x).max(0) };
-    (0..lyon.squarings).fold(shape, |s, _| rounded(s * s, f))
+    let odd = (0..lyon.odd_power.ilog2()).rev().fold(shape, |s, digit| {
+        let square = rounded(s * s, f);
+        if lyon.odd_power >> digit & 1 == 1 { rounded(square * shape, f) } else { square }
+    });
+    (0..lyon.squarings).fold(odd, |s, _| rounded(s * s, f))
 }
 
 fn check(lyon: &LyonSpec, design: &Design, rows: &[Vec<i64>]) {
     for (row, got) in rows.iter().zip(outputs(design, rows)) {
-        assert_eq!(
-            got,
-            [wanted(lyon, row)],
-            "D, n, has_direction = {row:?}, k = {}",
-            lyon.squarings
-        );
+        assert_eq!(got, [wanted(lyon, row)], "D, n, has_direction = {row:?}, K = {}", lyon.terms());
     }
 }
 
-/// Every D of 3 fraction bits that is no longer than 2, and some exponents, for k = 0 to 3.
+/// Every D of 3 fraction bits that is no longer than 2, and some exponents, for k = 0 to 4 and odd
+/// powers; whole numbers stand for n over the odd power too.
 #[test]
 fn every_short_difference() {
-    for squarings in 0..=3 {
+    let powers = (0..=4).map(|k| (1, k)).chain([(3, 0), (5, 1), (11, 0), (15, 2)]);
+    for (odd_power, squarings) in powers {
         let mut lyon = lyon(3);
-        (lyon.squarings, lyon.formats.shape.fraction_bits) = (squarings, 6);
+        (lyon.odd_power, lyon.squarings) = (odd_power, squarings);
+        lyon.formats.shape.fraction_bits = 6;
         let design = design(&lyon, 300);
         let within = cube(16).filter(|&d| dot(d, d) <= 16 * 16);
         // Every exponent with every fourth vector is as good as all with all, and four times as

@@ -1,5 +1,8 @@
 //! `specula reproduce`.
 use std::fs;
+use std::process::Command;
+
+use specula_fixtures::tools;
 
 use crate::program::Place;
 
@@ -69,4 +72,44 @@ fn what_is_no_mesh_is_refused() {
             "{mesh}: {ended:?}"
         );
     }
+}
+
+/// Coarse formats make small cores, which take seconds.
+#[test]
+fn gates_of_lyon_and_phong_are_counted_at_equal_error() {
+    if !tools::is_installed("yosys") {
+        return;
+    }
+    let place = Place::new();
+    let arguments = "reproduce gates icosahedron --size 24x18 --max-quantisation 24lsb --specialise scene -o out";
+    let text = place.succeeds(&arguments.split(' ').collect::<Vec<_>>());
+    assert!(fs::read_to_string(place.path("out/gates.md")).unwrap() == text);
+    assert!(text.contains("## For this scene alone, n = 16\n"), "{text}");
+    assert!(!text.contains("any scene, n"), "{text}");
+    let rows: Vec<Vec<&str>> = text
+        .lines()
+        .filter(|line| line.starts_with("| Phong |") || line.starts_with("| Lyon"))
+        .map(|line| line.split('|').map(str::trim).collect::<Vec<_>>())
+        .filter(|cells| cells.len() > 10)
+        .collect();
+    assert_eq!(rows.len(), 4, "{text}");
+    for row in &rows {
+        let number = |column: usize| row[column].parse::<f64>().unwrap();
+        let [quantisation, gates, flip_flops, luts] = [3, 4, 5, 6].map(number);
+        assert!(quantisation <= 24.0 && gates > luts && luts > 100.0, "{row:?}");
+        assert!(flip_flops > 100.0, "{row:?}");
+    }
+    assert!(text.contains("| two-input gates, figures 6 and 7 / Phong |"), "{text}");
+}
+
+#[test]
+fn counting_without_yosys_is_refused_at_once() {
+    let program = Command::new(env!("CARGO_BIN_EXE_specula"))
+        .args(["reproduce", "gates"])
+        .env("PATH", "")
+        .output()
+        .unwrap();
+    let stderr = String::from_utf8(program.stderr).unwrap();
+    assert_eq!((program.status.code(), program.stdout.len()), (Some(2), 0), "{stderr}");
+    assert!(stderr.contains("Yosys"), "{stderr}");
 }

@@ -12,7 +12,7 @@ use crate::exact::formula::illumination::Illumination;
 use crate::exact::formula::normalisation::{g2, gain, unit};
 use crate::exact::formula::point_light;
 use crate::exact::formula::reflection::{projection, reflected_minus};
-use crate::exact::formula::shape::f_k;
+use crate::exact::formula::shape::lobe;
 use crate::exact::formula::wrap::{chained, wrap};
 
 /// How the normal of a span is computed.
@@ -111,7 +111,7 @@ impl<'a> LyonSpan<'a> {
         }))
     }
 
-    /// f_k of D; 0 where the normal vanishes and has no direction (extremes row 1).
+    /// (1 - x/K)^K of D; 0 where the normal vanishes and has no direction (extremes row 1).
     fn highlight(&self, normal: DVec3, light: DVec3, view: DVec3) -> f64 {
         if normal == DVec3::ZERO {
             return 0.0;
@@ -140,7 +140,7 @@ impl<'a> LyonSpan<'a> {
                 return 0.0;
             }
         };
-        f_k(half_exponent * difference.length_squared(), self.spec.squarings)
+        lobe(half_exponent * difference.length_squared(), self.spec.terms())
     }
 }
 
