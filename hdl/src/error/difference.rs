@@ -22,7 +22,7 @@ pub struct Difference {
 /// |H' × N' - H × N| ≤ |H| e_N + |N| e_H + e_H e_N + √3 t
 /// ```
 ///
-/// for products that truncation makes smaller by less than t, `truncated`: so much is a component off.
+/// for products that truncation makes smaller by less than t, `truncated`: a component is off by less.
 pub fn cross_product([h, n]: [VectorBound; 2], vector: Format, truncated: f64) -> Difference {
     let longest_h = 2.0 + 2.0 * vector.ulp();
     let (e_h, e_n) = (h.error.length, n.error.length);

@@ -55,8 +55,8 @@ fn largest_exponent(shininess: Bound, lyon: &LyonSpec) -> f64 {
 /// Each counts as often as [`LengthError`] says, or the first as often as D is off as a whole.
 /// Smaller exponents have no more of any at the same y.
 ///
-/// Then f of the fixed D, with y', is rounded, and its squares truncated: see `Highlight::rounding`. y' is no further from
-/// any y on the way to it than √(n/2K) times what D is off.
+/// Then f of the fixed D, with y', is rounded, and its squares truncated: see `Highlight::rounding`.
+/// y' is no further from any y on the way to it than √(n/2K) times what D is off.
 fn of_exponent(d: VectorBound, length_error: LengthError, shininess: f64, lyon: &LyonSpec) -> f64 {
     let n = shininess * f64::from(1u32 << lyon.difference.log2_exponent_factor());
     let powers = Powers { odd: lyon.odd_power, squarings: lyon.squarings };

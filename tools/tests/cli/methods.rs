@@ -72,7 +72,7 @@ fn json_says_what_scenes_a_method_takes() {
 fn json_has_the_values_of_options_as_a_scene_file_means_them() {
     let methods = methods();
     let options = |name: &str| &named(&methods, name)["options"];
-    assert_eq!(options("lyon")["squarings"], json!([0, 1, 2, 3]));
+    assert_eq!(options("lyon")["squarings"], json!([0, 1, 2, 3, 4]));
     assert_eq!(
         options("duff"),
         &json!({

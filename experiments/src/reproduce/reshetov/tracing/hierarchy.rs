@@ -121,6 +121,6 @@ mod tests {
             assert_eq!(hierarchy.first(&triangles, ray, 0.0), nearest);
             met += usize::from(nearest.is_some());
         }
-        assert!((500..1900).contains(&met), "{met}");
+        assert!((300..1700).contains(&met), "rays that meet some: {met}");
     }
 }
