@@ -47,10 +47,10 @@ pub(crate) fn first_wrong(
     given: &[i64],
 ) -> Result<Option<WrongDirection>, BenchError> {
     let ports = port_names(spec.direction_outputs());
-    let (model, mut given) = (Model::new(spec), given.iter().copied());
     if ports.is_empty() {
         return Ok(None);
     }
+    let (model, mut given) = (Model::new(spec), given.iter().copied());
     for span in 0..spans.count() {
         let mut packet = SpanPacket { length: spans.length(span), inputs: vec![] };
         spans.append_inputs(span, &mut packet.inputs);

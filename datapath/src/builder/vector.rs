@@ -181,11 +181,6 @@ impl Vector {
         Vector::by_rule(chosen, VectorRule::Choice(yes.real, no.real))
     }
 
-    /// The cross product.
-    pub fn cross(&self, other: &Vector) -> Vector {
-        self.truncated_cross(other, WHOLE)
-    }
-
     /// The cross product of products that are truncated to `fraction_bits` before they are subtracted:
     /// each component is off by less than a unit of their last place.
     pub fn truncated_cross(&self, other: &Vector, fraction_bits: u32) -> Vector {

@@ -1,5 +1,6 @@
 //! The papers' claims and figures, computed by Specula's own code: whether each claim holds, and
 //! whether the number of docs/numerics.md comes out.
+mod angle;
 mod claim;
 pub mod drawn;
 pub mod figure;

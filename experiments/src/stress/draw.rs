@@ -34,6 +34,12 @@ impl Draw {
         (self.bits() >> 11) as f64 / (1u64 << 53) as f64
     }
 
+    /// Barycentric weights, evenly over a triangle.
+    pub fn weights(&mut self) -> [f64; 3] {
+        let (root, share) = (self.unit().sqrt(), self.unit());
+        [1.0 - root, root * (1.0 - share), root * share]
+    }
+
     /// A number from `low` to `high`.
     pub fn within(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()

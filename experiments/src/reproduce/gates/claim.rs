@@ -70,8 +70,19 @@ pub struct SizeClaim {
     pub what: &'static str,
     /// The ratio that decides it, as text.
     pub quantity: &'static str,
+    /// The contenders whose counts are divided.
+    between: [usize; 2],
+    /// The count.
+    of: fn(&Counts) -> u64,
+}
+
+impl SizeClaim {
     /// The ratio: the claim holds where it is below 1. `None` where there is nothing to divide by.
-    pub ratio: fn(&Comparison) -> Option<f64>,
+    pub fn ratio(&self, counts: &Comparison) -> Option<f64> {
+        // Numbers of cells are far below 2^53.
+        let [a, b] = self.between.map(|contender| (self.of)(&counts[contender]) as f64);
+        (b > 0.0).then(|| a / b)
+    }
 }
 
 const PHONG: usize = 0;
@@ -79,52 +90,54 @@ const FIGURE_7: usize = 1;
 const FIGURE_8: usize = 2;
 const CROSS: usize = 3;
 
-fn quotient(counts: &Comparison, [a, b]: [usize; 2], of: fn(&Counts) -> u64) -> Option<f64> {
-    // Numbers of cells are far below 2^53.
-    let [a, b] = [a, b].map(|contender| of(&counts[contender]) as f64);
-    (b > 0.0).then(|| a / b)
-}
-
 /// The claims, Lyon's first.
 pub const CLAIMS: [SizeClaim; 8] = [
     SizeClaim {
         what: "the reformulation is simpler hardware than standard Phong shading, of Lyon's day",
         quantity: "two-input gates, figures 6 and 7 / Phong",
-        ratio: |counts| quotient(counts, [FIGURE_7, PHONG], |c| c.gates),
+        between: [FIGURE_7, PHONG],
+        of: |c| c.gates,
     },
     SizeClaim {
         what: "",
         quantity: "flip-flops, figures 6 and 7 / Phong",
-        ratio: |counts| quotient(counts, [FIGURE_7, PHONG], |c| c.flip_flops),
+        between: [FIGURE_7, PHONG],
+        of: |c| c.flip_flops,
     },
     SizeClaim {
         what: "the same without blocks",
         quantity: "LUTs alone, figures 6 and 7 / Phong",
-        ratio: |counts| quotient(counts, [FIGURE_7, PHONG], |c| c.luts_alone),
+        between: [FIGURE_7, PHONG],
+        of: |c| c.luts_alone,
     },
     SizeClaim {
         what: "the same of today",
         quantity: "LUTs beside blocks, figures 6 and 7 / Phong",
-        ratio: |counts| quotient(counts, [FIGURE_7, PHONG], |c| c.luts),
+        between: [FIGURE_7, PHONG],
+        of: |c| c.luts,
     },
     SizeClaim {
         what: "",
         quantity: "blocks, figures 6 and 7 / Phong",
-        ratio: |counts| quotient(counts, [FIGURE_7, PHONG], |c| c.blocks),
+        between: [FIGURE_7, PHONG],
+        of: |c| c.blocks,
     },
     SizeClaim {
         what: "figure 8's multipliers are smaller than figure 7's",
         quantity: "multiplier bits, figure 8 / figure 7",
-        ratio: |counts| quotient(counts, [FIGURE_8, FIGURE_7], |c| c.multiplier_bits),
+        between: [FIGURE_8, FIGURE_7],
+        of: |c| c.multiplier_bits,
     },
     SizeClaim {
         what: "",
         quantity: "two-input gates, figure 8 / figure 7",
-        ratio: |counts| quotient(counts, [FIGURE_8, FIGURE_7], |c| c.gates),
+        between: [FIGURE_8, FIGURE_7],
+        of: |c| c.gates,
     },
     SizeClaim {
         what: "D = H × N is simpler than D = R − L (our question, not a claim)",
         quantity: "two-input gates, H × N / figures 6 and 7",
-        ratio: |counts| quotient(counts, [CROSS, FIGURE_7], |c| c.gates),
+        between: [CROSS, FIGURE_7],
+        of: |c| c.gates,
     },
 ];

@@ -7,6 +7,7 @@ use specula_scene::{Frame, Span};
 use specula_testbench::statistics::Sums;
 use specula_testbench::{ErrorFigures, Image};
 
+use super::super::angle::angle_between;
 use super::super::claim::{Claim, HALF_LSB, Ruling, exact};
 use super::super::painted::{painted, rounded};
 use crate::stress::draw::tilted;
@@ -16,7 +17,7 @@ use crate::stress::draw::tilted;
 fn wrong(span: f64, aside: f64) -> f64 {
     let length = libm::cos(span.to_radians() / 2.0);
     let wrapped = wrap(tilted(aside), length * DVec3::Z);
-    wrapped.map_or(180.0, |n| libm::atan2(n.cross(DVec3::Z).length(), n.z).to_degrees())
+    wrapped.map_or(180.0, |n| angle_between(n, DVec3::Z).to_degrees())
 }
 
 const fn bad(quantity: &'static str, expected: (f64, f64), measure: fn() -> f64) -> Claim {

@@ -10,6 +10,7 @@ use specula_golden::exact::formula::slerp::{slerp, weights};
 use specula_golden::exact::formula::specular::{fast, textbook};
 use specula_spec::FULL_SCALE;
 
+use super::angle::angle_between;
 use super::claim::{Claim, HALF_LSB, Ruling, exact};
 use super::maximum::largest;
 use crate::stress::draw::{tilted, turned};
@@ -29,7 +30,7 @@ fn largest_angle(degrees: f64) -> f64 {
     largest(|t| {
         let [a, b] = weights(degrees.to_radians(), t);
         let (arc, chord) = (a * ends[0] + b * ends[1], ends[0].lerp(ends[1], t));
-        libm::atan2(arc.cross(chord).length(), arc.dot(chord)).to_degrees()
+        angle_between(arc, chord).to_degrees()
     })
 }
 

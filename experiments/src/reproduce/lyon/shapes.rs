@@ -8,6 +8,7 @@ use specula_golden::exact::formula::reflection::{halfway, reflect, reflection_mi
 use specula_golden::exact::formula::root_shininess;
 use specula_golden::exact::formula::shape::{f_k, lobe, power};
 
+use super::super::angle::angle_between;
 use super::super::claim::{Claim, HALF_LSB, Ruling, exact};
 use super::super::maximum::largest;
 use crate::stress::draw::{tilted, turned};
@@ -112,7 +113,7 @@ fn chord_error() -> f64 {
     let light = tilted(50.0);
     largest(|t| {
         let normal = tilted(90.0 * (2.0 * t - 1.0));
-        let angle = libm::atan2(reflect(normal).cross(light).length(), reflect(normal).dot(light));
+        let angle = angle_between(reflect(normal), light);
         (reflection_minus_light(normal, light).length() - 2.0 * libm::sin(angle / 2.0)).abs()
     })
 }

@@ -37,11 +37,6 @@ fn slope(angles: [f64; 3], weights: [f64; 3]) -> f64 {
     weights[1] * (1.0 - along / (s * s + c * c))
 }
 
-fn weights(draw: &mut Draw) -> [f64; 3] {
-    let (root, share) = (draw.unit().sqrt(), draw.unit());
-    [1.0 - root, root * (1.0 - share), root * share]
-}
-
 /// How much farther from the face's normal the interpolated one is at most, for normals that lean
 /// to all sides rather than the same way.
 fn leaning_apart() -> f64 {
@@ -49,7 +44,7 @@ fn leaning_apart() -> f64 {
     let mut excess = || {
         let angles = [(); 3].map(|()| FRAC_PI_2 * draw.unit());
         let normals = angles.map(|angle| turned(DVec3::Z, angle, draw.unit()));
-        let weights = weights(&mut draw);
+        let weights = draw.weights();
         from_face(normals, weights) - interpolated(angles, weights) + difference(angles, weights)
     };
     (0..DRAWN).map(|_| excess()).fold(0.0, f64::max)

@@ -1,5 +1,6 @@
 //! Reflections that enter a mesh, with Phong's and with consistent normals, for points all over its
 //! faces (numerics N2c).
+use glam::DVec3;
 use specula_golden::exact::formula::consistent::{
     Scaling, cosine, pixel_angle, q, rational_q, reflection, vertex_angle,
 };
@@ -41,6 +42,11 @@ pub struct Inward {
 /// By how much n·r in f64 may be below 0 because of rounding.
 const ROUNDING: f64 = 1e-12;
 
+/// Whether a reflected ray enters a face.
+pub(super) fn enters(reflected: DVec3, outward: DVec3) -> bool {
+    reflected.dot(outward) < -ROUNDING
+}
+
 /// Counts rays.
 pub fn count(mesh: &Mesh) -> Inward {
     let faces = coned_faces(mesh);
@@ -76,23 +82,18 @@ impl Inward {
     /// Adds a ray to the sums.
     fn add(&mut self, face: &ConedFace, [trigonometric, rational]: [[f64; 3]; 2], draw: &mut Draw) {
         let incoming = turned(face.outward, libm::acos(draw.unit()), draw.unit());
-        let (root, share) = (draw.unit().sqrt(), draw.unit());
-        let weights = [1.0 - root, root * (1.0 - share), root * share];
-        let normal = (0..3)
-            .map(|v| weights[v] * face.cones[v].axis)
-            .sum::<glam::DVec3>()
-            .normalize_or_zero();
-        let height = |q: f64| reflection(normal, incoming, q).dot(face.outward);
+        let weights = draw.weights();
+        let normal =
+            (0..3).map(|v| weights[v] * face.cones[v].axis).sum::<DVec3>().normalize_or_zero();
+        let reflected = |q: f64| reflection(normal, incoming, q);
         let by_rational = rational_q(pixel_angle(rational, weights));
-        let enters = |q: f64| f64::from(u8::from(height(q) < -ROUNDING));
+        let enters = |q: f64| f64::from(u8::from(enters(reflected(q), face.outward)));
         self.phong += enters(1.0);
         self.behind += f64::from(u8::from(normal.dot(incoming) < 0.0));
         self.trigonometric += enters(q(pixel_angle(trigonometric, weights)));
         self.rational += enters(by_rational);
-        self.least = self.least.min(height(by_rational));
-        self.change += (cosine(incoming, reflection(normal, incoming, by_rational))
-            - normal.dot(incoming))
-        .abs();
+        self.least = self.least.min(reflected(by_rational).dot(face.outward));
+        self.change += (cosine(incoming, reflected(by_rational)) - normal.dot(incoming)).abs();
     }
 }
 

@@ -60,8 +60,7 @@ fn claims(cases: &[Case]) -> String {
         .chain(["verdict".to_owned()])
         .collect();
     let row = |claim: &SizeClaim| -> Vec<String> {
-        let ratios: Vec<Option<f64>> =
-            cases.iter().map(|case| (claim.ratio)(&case.counts)).collect();
+        let ratios: Vec<Option<f64>> = cases.iter().map(|case| claim.ratio(&case.counts)).collect();
         let shown = ratios
             .iter()
             .map(|ratio| ratio.map_or("–".to_owned(), |ratio| format!("{ratio:.2}")));

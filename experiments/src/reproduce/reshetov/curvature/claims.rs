@@ -9,6 +9,7 @@ use specula_scene::{Frame, Triangle, VertexCone};
 use specula_spec::FULL_SCALE;
 
 use super::super::super::claim::{Claim, HALF_LSB, Ruling, exact};
+use super::super::inward::enters;
 use super::{modulated, zigzag};
 use crate::stress::draw::{Draw, turned};
 
@@ -58,10 +59,8 @@ fn entering() -> f64 {
         let angles = triangle.cones.map(|cone| vertex_angle(cone.cosine, Scaling::RATIONAL));
         let mut enters = || {
             let incoming = turned(face, libm::acos(draw.unit()), draw.unit());
-            let (root, share) = (draw.unit().sqrt(), draw.unit());
-            let weights = [1.0 - root, root * (1.0 - share), root * share];
-            let q = rational_q(pixel_angle(angles, weights));
-            reflection(triangle.cones[0].axis, incoming, q).dot(face) < -1e-12
+            let q = rational_q(pixel_angle(angles, draw.weights()));
+            enters(reflection(triangle.cones[0].axis, incoming, q), face)
         };
         (0..RAYS).filter(|_| enters()).count()
     };

@@ -7,6 +7,8 @@ use specula_golden::exact::formula::consistent::modulated_cosine;
 use specula_scene::mesh::normals::newell;
 use specula_scene::{Frame, Triangle, VertexCone};
 
+use super::super::super::angle::angle_between;
+
 /// The frame with the angle of each vertex modulated by how convex its visible triangles are.
 pub fn modulated(frame: &Frame) -> Frame {
     let convexity = convexities(&frame.triangles);
@@ -65,8 +67,7 @@ fn convexities(triangles: &[Triangle]) -> HashMap<Key, f64> {
 /// convex; else 0.
 fn bend(end: Key, [one, other]: [&Side; 2]) -> f64 {
     let place = DVec3::from_array(end.map(f64::from_bits));
-    let sine = one.normal.cross(other.normal).length();
-    let angle = libm::atan2(sine, one.normal.dot(other.normal)) / FRAC_PI_2;
+    let angle = angle_between(one.normal, other.normal) / FRAC_PI_2;
     let is_convex = one.normal.dot(other.opposite - place) < 0.0;
     if is_convex { angle.min(1.0) } else { 0.0 }
 }

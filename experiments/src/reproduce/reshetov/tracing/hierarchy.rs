@@ -37,7 +37,7 @@ impl Hierarchy {
     /// Adds the node of a range of the order, and all below it.
     fn add(&mut self, triangles: &[[DVec3; 3]], range: std::ops::Range<usize>) -> usize {
         let part = &mut self.order[range.clone()];
-        let [low, high] = corners(part.iter().map(|&k| triangles[k]));
+        let [low, high] = corners(part.iter().flat_map(|&k| triangles[k]));
         let number = self.nodes.len();
         if part.len() <= LEAF {
             self.nodes.push(Node { corners: [low, high], content: Content::Leaf(range) });
@@ -86,11 +86,9 @@ impl Hierarchy {
     }
 }
 
-/// The corners of the box around triangles.
-fn corners(triangles: impl Iterator<Item = [DVec3; 3]>) -> [DVec3; 2] {
-    triangles
-        .flatten()
-        .fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], p| [low.min(p), high.max(p)])
+/// The corners of the box around places.
+pub fn corners(places: impl Iterator<Item = DVec3>) -> [DVec3; 2] {
+    places.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], p| [low.min(p), high.max(p)])
 }
 
 #[cfg(test)]

@@ -5,6 +5,8 @@ use specula_golden::exact::formula::consistent::{
 };
 use specula_scene::picture::ConedFace;
 
+use super::super::inward::enters;
+
 /// A face of a mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Face {
@@ -58,14 +60,6 @@ impl Normals {
             ),
         }
     }
-}
-
-/// By how much n·r in f64 may be below 0 because of rounding.
-const ROUNDING: f64 = 1e-12;
-
-/// Whether a reflected ray enters the face.
-pub fn enters(reflected: DVec3, outward: DVec3) -> bool {
-    reflected.dot(outward) < -ROUNDING
 }
 
 /// The unit normal at a point; the face's where the sum has no direction.

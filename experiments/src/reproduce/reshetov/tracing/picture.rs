@@ -5,8 +5,10 @@ use specula_scene::mesh::Mesh;
 use specula_scene::picture::camera::{Camera, Window};
 use specula_testbench::Image;
 
+use super::super::inward::enters;
 use super::environment;
-use super::mirror::{Normals, enters};
+use super::hierarchy::corners;
+use super::mirror::Normals;
 use super::ray::Ray;
 use super::traced_mesh::TracedMesh;
 
@@ -92,8 +94,7 @@ pub fn mirrored(
 
 /// The smallest and largest coordinates that the camera sees.
 fn seen_bounds(mesh: &Mesh, rotation: DMat3) -> [DVec3; 2] {
-    let seen = mesh.positions.iter().map(|&place| rotation * place);
-    seen.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], p| [low.min(p), high.max(p)])
+    corners(mesh.positions.iter().map(|&place| rotation * place))
 }
 
 fn farthest(mesh: &Mesh) -> f64 {

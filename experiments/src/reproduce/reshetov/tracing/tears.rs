@@ -1,10 +1,11 @@
 //! Where Snyder and Barr's fix tears the reflection.
-use glam::DVec3;
 use specula_scene::picture::coned_faces;
 use specula_scene::primitive::Primitive;
 
+use super::super::super::angle::angle_between;
 use super::super::super::claim::{Claim, Ruling, exact};
-use super::mirror::{Face, Normals, enters};
+use super::super::inward::enters;
+use super::mirror::{Face, Normals};
 
 /// The jump of the reflected direction, in degrees, along a line from a vertex of an icosahedron's
 /// face to the face's middle, where Phong's reflection passes through the face.
@@ -29,11 +30,7 @@ fn jump(normals: Normals, incidence: f64) -> f64 {
             outside = middle
         }
     }
-    degrees_between(reflected(normals, inside), reflected(normals, outside))
-}
-
-fn degrees_between(a: DVec3, b: DVec3) -> f64 {
-    libm::atan2(a.cross(b).length(), a.dot(b)).to_degrees()
+    angle_between(reflected(normals, inside), reflected(normals, outside)).to_degrees()
 }
 
 const TEARS: &str = "Snyder and Barr's fix creates discontinuities";
