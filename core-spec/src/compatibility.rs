@@ -5,6 +5,7 @@ use specula_scene::needs::{LocalKind, Needs};
 
 use crate::core_spec::CoreSpec;
 use crate::error::SpecError;
+use crate::method::MethodSpec;
 use crate::parameters::{CoreParameters, FULL_SCALE};
 use crate::specialisation::Given;
 use crate::specialise::GivenValues;
@@ -32,6 +33,9 @@ impl CoreSpec {
         self.parameters.check_lights(&needs)?;
         self.parameters.check_sizes(&needs)?;
         self.method.shading().check_compatible(&needs)?;
+        if let MethodSpec::Phong(phong) = &self.method {
+            phong.check_wraps(&needs)?;
+        }
         let mut frame = frame.clone();
         let dark = DirectionalLight { direction: EYE, colour: DARK };
         frame.lights.resize(self.parameters.lights_at_infinity(), dark);
@@ -105,6 +109,7 @@ impl CoreParameters {
             shortest_normal: self.shortest_normal.min(needs.shortest_normal),
             shortest_way: self.shortest_way.min(needs.shortest_way),
             shortest_unit_way: self.shortest_unit_way.min(needs.shortest_unit_way),
+            shortest_halfway: self.shortest_halfway.min(needs.shortest_halfway),
             least_cone_cosine: self.least_cone_cosine.min(needs.least_cone_cosine),
             least_view_cosine: self.least_view_cosine.min(view_cosine),
             ..self

@@ -42,7 +42,9 @@ pub type Ports<M> = CoreInputs<
 impl CoreSpec {
     /// The spec for a scene with these needs: the method asked for on the command line, else the
     /// scene file's, else `lyon`, or `phong` where a light or the eye is at a place, with the
-    /// defaults of numerics N5, changed where the scene file's `[core]` table says so.
+    /// defaults of numerics N5, changed where the scene file's `[core]` table says so. Directions to
+    /// places that are asked to be wrapped are true ones where wraps may move colours by more than
+    /// 3 LSB.
     ///
     /// # Errors
     /// [`SpecError`] if there is no such method, or the method or its formats cannot serve the
@@ -59,7 +61,7 @@ impl CoreSpec {
         let pipelines = table.light_pipelines.unwrap_or_default();
         let mut spec = CoreSpec {
             parameters: CoreParameters::for_needs(needs, pipelines),
-            method: method.spec(needs, &table.method_table(method))?,
+            method: with_places_that_serve(method.spec(needs, &table.method_table(method))?, needs),
             specialisation: Specialisation::default(),
             target: None,
         };
@@ -220,5 +222,13 @@ impl CoreSpec {
         options.extend(self.method_options());
         options.push(("made for", self.specialisation.in_words()));
         options
+    }
+}
+
+/// Directions to places that are asked to be wrapped are true ones where wraps do not serve a scene.
+fn with_places_that_serve(method: MethodSpec, needs: &Needs) -> MethodSpec {
+    match method {
+        MethodSpec::Phong(phong) => MethodSpec::Phong(phong.with_places_for(needs)),
+        other => other,
     }
 }

@@ -28,6 +28,7 @@ struct Keys {
     shortest_normal: f64,
     shortest_way: f64,
     shortest_unit_way: f64,
+    shortest_halfway: f64,
     least_cone_cosine: f64,
     least_view_cosine: f64,
     method: MethodSpec,
@@ -80,6 +81,7 @@ parameters_have_keys!(
     shortest_normal,
     shortest_way,
     shortest_unit_way,
+    shortest_halfway,
     least_cone_cosine,
     least_view_cosine
 );

@@ -45,6 +45,9 @@ pub struct CoreParameters {
     /// The same of vectors that have length 1 at both ends of their span. Error bounds rest on it;
     /// widths do not.
     pub shortest_unit_way: f64,
+    /// Length of the shortest L + V at a pixel that sees places for itself, 0 to 2. Error bounds rest
+    /// on it; widths do not.
+    pub shortest_halfway: f64,
     /// Smallest cosine between a vertex normal and a face around the vertex. Error bounds rest on
     /// it; widths do not.
     pub least_cone_cosine: f64,
@@ -68,6 +71,7 @@ impl CoreParameters {
             shortest_normal: needs.shortest_normal,
             shortest_way: needs.shortest_way,
             shortest_unit_way: needs.shortest_unit_way,
+            shortest_halfway: needs.shortest_halfway,
             least_cone_cosine: needs.least_cone_cosine,
             least_view_cosine: needs.least_view_cosine,
         }
@@ -128,6 +132,7 @@ impl CoreParameters {
         within("shortest_normal", self.shortest_normal, 0.0, 1.0)?;
         within("shortest_way", self.shortest_way, 0.0, 1.0)?;
         within("shortest_unit_way", self.shortest_unit_way, 0.0, 1.0)?;
+        within("shortest_halfway", self.shortest_halfway, 0.0, 2.0)?;
         within("least_cone_cosine", self.least_cone_cosine, -1.0, 1.0)?;
         within("least_view_cosine", self.least_view_cosine, -1.0, 1.0)
     }

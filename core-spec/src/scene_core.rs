@@ -6,6 +6,7 @@ use crate::error::SpecError;
 use crate::lyon::Normals;
 use crate::method::{Method, MethodSpec};
 use crate::options::{CoreOptions, Specialise, UnnamedFormats};
+use crate::phong::{PhongSpec, Places};
 
 /// Why there is no core for a scene.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
@@ -43,6 +44,13 @@ pub trait SceneCore {
     /// A [`CoreError`] that points at the table, if it cannot be read.
     fn named_formats(&self, method: Method) -> Result<Vec<String>, CoreError>;
 
+    /// By how much wrapped directions to places may move colours, in LSBs, where the scene file's
+    /// `[core]` table asks for them and `spec` has true ones, since they do not serve the scene.
+    ///
+    /// # Errors
+    /// A [`CoreError`] that points at the table, if it cannot be read.
+    fn refused_wraps(&self, spec: &CoreSpec) -> Result<Option<f64>, CoreError>;
+
     /// Where the formats come from that the scene file's `[core]` table does not name.
     ///
     /// # Errors
@@ -78,6 +86,16 @@ impl SceneCore for LoadedScene {
 
     fn named_formats(&self, method: Method) -> Result<Vec<String>, CoreError> {
         Ok(core_options(self)?.map(|options| options.named_formats(method)).unwrap_or_default())
+    }
+
+    fn refused_wraps(&self, spec: &CoreSpec) -> Result<Option<f64>, CoreError> {
+        let MethodSpec::Phong(PhongSpec { places: Places::Exact, .. }) = &spec.method else {
+            return Ok(None);
+        };
+        let asked = core_options(self)?
+            .and_then(|options| options.method_table(Method::Phong).remove("places"))
+            .is_some_and(|places| places.as_str() == Some("wrapped"));
+        Ok(asked.then(|| Needs::of(&self.frame).most_off_by_wraps))
     }
 
     fn unnamed_formats(&self) -> Result<UnnamedFormats, CoreError> {

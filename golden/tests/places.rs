@@ -4,7 +4,7 @@ use glam::DVec3;
 use specula_golden::exact::formula::{point_light, wrap};
 use specula_golden::exact::{MethodSpan, PhongSpan};
 use specula_scene::{Frame, Needs, Span, Wrap, load};
-use specula_spec::phong::{Places, wrap_to_eye, wrap_to_light};
+use specula_spec::phong::Places;
 use specula_spec::{CoreSpec, Method, MethodSpec};
 
 fn lamps() -> Frame {
@@ -13,9 +13,9 @@ fn lamps() -> Frame {
 
 /// The place and the wrap of every light and eye at a place.
 fn wraps(frame: &Frame, span: &Span) -> Vec<(DVec3, Wrap)> {
-    let eye = frame.eye.map(|eye| (eye, wrap_to_eye(frame, span, eye)));
+    let eye = frame.eye.map(|eye| (eye, Wrap::to_eye(frame, span, eye)));
     let light = |light| {
-        (specula_scene::LocalLight::clone(light).position, wrap_to_light(frame, span, light))
+        (specula_scene::LocalLight::clone(light).position, Wrap::to_light(frame, span, light))
     };
     frame.local_lights.iter().map(light).chain(eye).collect()
 }
@@ -34,7 +34,7 @@ fn wraps_err_by_what_numerics_says() {
     for span in &frame.spans {
         for (place, wrap) in wraps(&frame, span) {
             for i in 0..span.length {
-                let x = wrap.ends[0].lerp(wrap.ends[1], span.parameter(i));
+                let x = wrap.chord(span.parameter(i));
                 if x.dot(wrap.axis) <= 0.0 {
                     continue;
                 }
@@ -74,6 +74,7 @@ fn pixels_of_lamps_err_by_little() {
             largest = (0..3).map(|c| (a[c] - b[c]).abs()).fold(largest, f64::max);
         }
     }
-    println!("pixels are off by {largest:.4} LSB at most");
-    assert!(largest > 0.0 && largest < 0.5);
+    let most = Needs::of(&frame).most_off_by_wraps;
+    println!("pixels are off by {largest:.4} LSB at most, of {most:.4} that were told");
+    assert!(largest > 0.0 && largest <= most && most < 3.0);
 }

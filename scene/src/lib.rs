@@ -19,8 +19,10 @@ mod parallel;
 pub mod picture;
 pub mod primitive;
 pub mod regular;
+mod shortest_halfway;
 mod surface;
 mod wrap;
+mod wrapped_places;
 
 pub use builtin::{builtin_names, builtin_text};
 pub use error::SceneError;

@@ -7,6 +7,7 @@ use crate::contributions::Contributions;
 use crate::frame::{EYE, Frame, LocalLight, Material, Span, Triangle};
 use crate::parallel::ParallelSpan;
 use crate::wrap::Wrap;
+use crate::{shortest_halfway, wrapped_places};
 
 /// The needs of shading a frame.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -47,6 +48,11 @@ pub struct Needs {
     pub shortest_way: f64,
     /// The same length for vectors that have length 1 at both ends of their span.
     pub shortest_unit_way: f64,
+    /// Length of the shortest L + V of any light at any pixel, 0 to 2; 2 if nothing is at a place.
+    pub shortest_halfway: f64,
+    /// By how much colours are off at most, in LSBs from 0 to 255, where directions to lights and
+    /// the eye at places are wrapped rather than true [Hast, Barrera and Bengtsson, eq. 36 to 38].
+    pub most_off_by_wraps: f64,
     /// The smallest cosine between a vertex normal and a face around the vertex (extremes row
     /// 48): -1 to 1.
     pub least_cone_cosine: f64,
@@ -180,6 +186,8 @@ impl Needs {
             shortest_unit_way: ways(frame)
                 .map(|ends| shortest(Wrap::around(None, ends).ends))
                 .fold(1.0, f64::min),
+            shortest_halfway: shortest_halfway::of(frame),
+            most_off_by_wraps: wrapped_places::most_off(frame),
             ranges: Ranges::of(frame),
         }
     }

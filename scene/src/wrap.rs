@@ -2,6 +2,8 @@
 //! Bengtsson, eq. 27, 28 and 36 to 38; methods C4 to C7, C16 to C18].
 use glam::DVec3;
 
+use crate::frame::{EYE, Frame, LocalLight, Span};
+
 /// The ends of a span of wrapped vectors, and what they are wrapped around.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wrap {
@@ -31,6 +33,27 @@ impl Wrap {
     /// As [`Wrap::around`], whatever the angle between `axis` and the ends.
     pub fn fixed(axis: DVec3, ends: [DVec3; 2]) -> Wrap {
         Wrap::of_ends(ends, |_, _| axis)
+    }
+
+    /// The directions from a span to a light: around the way back along a spot's axis, as the paper
+    /// has it, which leaves dark what is 90 degrees or more from it; around the bisector for a light
+    /// without an axis.
+    pub fn to_light(frame: &Frame, span: &Span, light: &LocalLight) -> Wrap {
+        let ends = frame.end_vectors_to(span, light.position);
+        match &light.spot {
+            Some(spot) => Wrap::fixed(-spot.axis, ends),
+            None => Wrap::around(None, ends),
+        }
+    }
+
+    /// The directions from a span to the eye, around the direction to an eye at infinity.
+    pub fn to_eye(frame: &Frame, span: &Span, eye: DVec3) -> Wrap {
+        Wrap::around(Some(EYE), frame.end_vectors_to(span, eye))
+    }
+
+    /// The vector to be wrapped at the parameter `t` of the span, 0 to 1: no longer than 1.
+    pub fn chord(&self, t: f64) -> DVec3 {
+        self.ends[0].lerp(self.ends[1], t)
     }
 
     fn of_ends(ends: [DVec3; 2], axis: impl FnOnce(DVec3, DVec3) -> DVec3) -> Wrap {

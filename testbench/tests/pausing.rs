@@ -42,9 +42,10 @@ fn every_pixel_is_the_models(method: Method) {
     let own = spec(&frame, method);
     let specialised = own.specialised(&frame);
     for core in [shared(own.clone()), shared(specialised.clone()), own, specialised] {
-        let plain = run(&Bench::new(&frame, &core, "core").unwrap(), EngineKind::Fast);
+        let mut bench = Bench::new(&frame, &core, "core").unwrap();
+        let plain = run(&bench, EngineKind::Fast);
         for seed in SEEDS {
-            let bench = Bench::new(&frame, &core, "core").unwrap().with_bubbles(seed);
+            bench = bench.with_bubbles(seed);
             for engine in [EngineKind::Fast, EngineKind::RustHdl] {
                 let outcome = run(&bench, engine);
                 let first = (&outcome.comparison.first_mismatch, &outcome.violation);

@@ -50,7 +50,6 @@ fn agrees(frame: &Frame, core: &CoreSpec) {
     let plain = bench.run(EngineKind::Fast, &mut |_, _| ()).unwrap();
     let first = (&plain.comparison.first_mismatch, &plain.violation);
     assert!(plain.agrees(), "{first:?}\n{core:?}");
-    let paused = Bench::new(frame, core, "core").unwrap().with_bubbles(7);
-    let paused = paused.run(EngineKind::Fast, &mut |_, _| ()).unwrap();
+    let paused = bench.with_bubbles(7).run(EngineKind::Fast, &mut |_, _| ()).unwrap();
     assert!(paused.agrees() && paused.simulated == plain.simulated, "with bubbles\n{core:?}");
 }

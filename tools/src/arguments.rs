@@ -1,4 +1,5 @@
 //! Arguments that several subcommands share, and their meaning.
+use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
@@ -121,6 +122,13 @@ impl CoreArguments {
     fn in_formats(&self, scene: &LoadedScene) -> Result<DefaultCore, ToolError> {
         let products = self.made_for.products()?;
         let (spec, frame) = (scene.core_spec(self.method)?, &scene.frame);
+        if let Some(lsb) = scene.refused_wraps(&spec)? {
+            // A closed standard error is no reason to stop.
+            let _ = writeln!(
+                io::stderr(),
+                "places: true directions: wrapped ones may move colours of this scene by {lsb:.1} LSB"
+            );
+        }
         if let Some(goal) = self.measured() {
             // The search for narrow formats starts from the general core.
             let general = spec.specialisation.is_general();

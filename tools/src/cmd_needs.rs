@@ -111,6 +111,10 @@ fn facts(report: &Report) -> Vec<[String; 2]> {
         (n, largest) if n == largest => n.to_string(),
         (smallest, largest) => format!("{smallest} to {largest}"),
     };
+    let wraps = needs.has_places().then(|| {
+        let moved = format!("{:.2} LSB", needs.most_off_by_wraps);
+        ("wrapped directions to places may move colours by", moved)
+    });
     let rows = [
         ("scene", format!("{}, by {}", report.scene, report.method)),
         ("lights", format!("{}, of which {} at a place", needs.lights, needs.local_lights.len())),
@@ -127,7 +131,8 @@ fn facts(report: &Report) -> Vec<[String; 2]> {
         ("one normal over each triangle", yes_or_no(needs.flat)),
         ("consistent normals would differ", yes_or_no(needs.consistent_normals_differ)),
     ];
-    rows.map(|(name, value)| [name.to_owned(), value]).to_vec()
+    let rows = rows.into_iter().chain(wraps);
+    rows.map(|(name, value)| [name.to_owned(), value]).collect()
 }
 
 /// Titles of [`rows`].

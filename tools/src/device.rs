@@ -52,7 +52,7 @@ fn does_not_fit(fitted: &Fitted, design: &Design) -> DoesNotFit {
     let fits = |device: &Device| of_target(device) && device.has(&device.resources(design));
     let larger = match Device::all().find(fits) {
         Some(device) => format!("`{}` has enough", device.name),
-        None => "no device that is known here has enough".to_owned(),
+        None => format!("no known device of `{}` has enough", fitted.device.target),
     };
     DoesNotFit { device: fitted.device.name.clone(), taken: fitted.in_words(), larger }
 }

@@ -4,15 +4,15 @@
 mod defaults;
 mod inputs;
 mod set_up;
-mod wrap;
 
 use serde::{Deserialize, Serialize};
 use specula_datapath::Format;
+use specula_scene::needs::Needs;
 
+use crate::error::SpecError;
 use crate::formats::formats;
 
 pub use inputs::{PhongInputs, PhongLight, PhongSpan, Way};
-pub use wrap::{wrap_to_eye, wrap_to_light};
 
 /// How strong the highlight is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -79,6 +79,38 @@ formats! {
         /// Powers, and what they are multiplied to: `U1.f`.
         pub shape: Format,
     }
+}
+
+/// By how much wrapped directions to places may move a colour, in LSBs from 0 to 255.
+const MOST_OFF_BY_WRAPS: f64 = 3.0;
+
+impl PhongSpec {
+    /// The same with true directions to places where wrapped ones do not serve a scene.
+    pub(crate) fn with_places_for(self, needs: &Needs) -> PhongSpec {
+        let places = if wraps_serve(needs) { self.places } else { Places::Exact };
+        PhongSpec { places, ..self }
+    }
+
+    /// Whether wrapped directions, if there are any, serve a scene.
+    ///
+    /// # Errors
+    /// [`SpecError::Lacks`] says how far off colours would be.
+    pub(crate) fn check_wraps(&self, needs: &Needs) -> Result<(), SpecError> {
+        if self.places == Places::Exact || wraps_serve(needs) {
+            return Ok(());
+        }
+        Err(SpecError::Lacks {
+            has: format!(
+                "its directions to places are wrapped, which may move colours by \
+                 {MOST_OFF_BY_WRAPS} LSB"
+            ),
+            needs: format!("has colours that they may move by {:.1}", needs.most_off_by_wraps),
+        })
+    }
+}
+
+fn wraps_serve(needs: &Needs) -> bool {
+    needs.most_off_by_wraps <= MOST_OFF_BY_WRAPS
 }
 
 impl PhongFormats {

@@ -3,10 +3,7 @@ use glam::DVec3;
 use specula_scene::Wrap;
 use specula_scene::frame::{DirectionalLight, EYE, Frame, LocalLight, Span};
 
-use super::{
-    Highlight, PhongFormats, PhongLight, PhongSpan, PhongSpec, Places, Way, wrap_to_eye,
-    wrap_to_light,
-};
+use super::{Highlight, PhongFormats, PhongLight, PhongSpan, PhongSpec, Places, Way};
 use crate::method_set_up::MethodSetUp;
 
 /// Sets up the spans of a frame.
@@ -62,7 +59,7 @@ impl PhongSetUp<'_> {
         let (f, frame) = (&self.phong.formats, self.frame);
         match self.phong.places {
             Places::Exact => straight(f, frame.end_vectors_to(span, eye)),
-            Places::Wrapped => wrapped(f, wrap_to_eye(frame, span, eye)),
+            Places::Wrapped => wrapped(f, Wrap::to_eye(frame, span, eye)),
         }
     }
 
@@ -73,7 +70,7 @@ impl PhongSetUp<'_> {
             direction: None,
             way: Some(match self.phong.places {
                 Places::Exact => straight(f, frame.end_vectors_to(span, light.position)),
-                Places::Wrapped => wrapped(f, wrap_to_light(frame, span, light)),
+                Places::Wrapped => wrapped(f, Wrap::to_light(frame, span, light)),
             }),
             axis: light
                 .spot

@@ -68,6 +68,23 @@ pub struct ErrorBound {
     pub model: ErrorModel,
 }
 
+impl ErrorBound {
+    /// Of a value that may be 0 where the real one is not, or the other way round: it, or the real
+    /// one, is no larger than `most` there.
+    pub fn or_gated(self, most: f64) -> ErrorBound {
+        let model = match self.model {
+            ErrorModel::Relative(shares) => {
+                let gated = |share: RelativeBound| share.rest.max(most);
+                ErrorModel::Relative(
+                    shares.map(|share| RelativeBound { rest: gated(share), ..share }),
+                )
+            }
+            _ => ErrorModel::Bounded,
+        };
+        ErrorBound { error: self.error.max(most), model }
+    }
+}
+
 impl From<f64> for ErrorBound {
     fn from(error: f64) -> ErrorBound {
         ErrorBound { error, model: ErrorModel::Bounded }

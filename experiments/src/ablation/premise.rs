@@ -86,6 +86,7 @@ pub(super) const PREMISES: [Premise; 11] = [
         relax: |needs| {
             if needs.has_places() {
                 (needs.shortest_way, needs.shortest_unit_way) = (0.0, 0.0);
+                needs.shortest_halfway = 0.0;
             }
         },
         known: |needs| {

@@ -72,6 +72,13 @@ struct Reflection {
     r: Vector,
 }
 
+/// N_c·I where I is above the horizon.
+struct ConsistentCosine {
+    cosine: Wide,
+    /// Whether it is, and the normal has a direction.
+    is_lit: bool,
+}
+
 /// What the lights have in common at one pixel.
 pub(super) struct Pixel {
     mirror: Mirror,
@@ -162,8 +169,8 @@ impl Method for Consistent {
         // An input that is not there is 0.
         let direction = light.direction.unwrap_or_default();
         let diffuse = self.diffuse(&pixel.mirror, &direction, observer);
-        let base = self.base(pixel, &direction, light.halfway.as_ref(), observer);
-        Intensities { diffuse, specular: self.power.raise(observer, base, pixel.exponent) }
+        let specular = self.specular(pixel, &direction, light.halfway.as_ref(), observer);
+        Intensities { diffuse, specular }
     }
 }
 
@@ -181,8 +188,7 @@ impl Consistent {
         let diffuse = self.diffuse(&pixel.mirror, &l, observer);
         let halfway =
             (self.highlight == Highlight::Blinn).then(|| self.halfway(&l, view, observer));
-        let base = self.base(pixel, &l, halfway.as_ref(), observer);
-        let specular = self.power.raise(observer, base, pixel.exponent);
+        let specular = self.specular(pixel, &l, halfway.as_ref(), observer);
         let intensities = Intensities {
             diffuse: if exists { diffuse } else { Wide::ZERO },
             specular: if exists && *is_seen { specular } else { Wide::ZERO },
@@ -343,13 +349,16 @@ impl Consistent {
         let intensity = match self.diffuse {
             Diffuse::Lambert => round_to(dot(&mirror.normal, direction), format.fraction_bits)
                 .clamp(Wide::ZERO, Wide::ONE),
-            Diffuse::Consistent => self.consistent_cosine("", mirror, direction, format, observer),
+            Diffuse::Consistent => {
+                let of = self.consistent_cosine("", mirror, direction, format, observer);
+                if of.is_lit { of.cosine } else { Wide::ZERO }
+            }
         };
         observer.see(format_args!("diffuse"), intensity, format);
         intensity
     }
 
-    /// |I + r|/2, and 0 for an I below the horizon.
+    /// |I + r|/2, and whether I is above the horizon of a normal with a direction.
     fn consistent_cosine(
         &self,
         of: &str,
@@ -357,17 +366,18 @@ impl Consistent {
         incoming: &Vector,
         to: Format,
         observer: &mut impl Observer,
-    ) -> Wide {
+    ) -> ConsistentCosine {
         let Reflection { b, g, r } = self.reflection(of, mirror, incoming, observer);
-        if !mirror.has_direction || g + b <= Wide::ZERO {
-            return Wide::ZERO;
-        }
         let sum: Vector = std::array::from_fn(|c| incoming[c] + r[c]);
-        round_root(dot(&sum, &sum).min(FOUR) >> 2, to.fraction_bits)
+        ConsistentCosine {
+            cosine: round_root(dot(&sum, &sum).min(FOUR) >> 2, to.fraction_bits),
+            is_lit: mirror.has_direction && g + b > Wide::ZERO,
+        }
     }
 
-    /// r·L or N_c·H, kept within 0 to 1, and 0 where the normal has no direction.
-    fn base(
+    /// The highlight: a power of r·L or N_c·H, and 0 where the normal has no direction or H is below
+    /// the horizon.
+    fn specular(
         &self,
         pixel: &Pixel,
         direction: &Vector,
@@ -380,13 +390,15 @@ impl Consistent {
             (Highlight::Blinn, Some(halfway)) => {
                 self.consistent_cosine("halfway_", mirror, halfway, format, observer)
             }
-            _ if mirror.has_direction => {
-                round_to(dot(&reflection.r, direction), format.fraction_bits)
-                    .clamp(Wide::ZERO, Wide::ONE)
+            _ => {
+                let cosine = round_to(dot(&reflection.r, direction), format.fraction_bits)
+                    .clamp(Wide::ZERO, Wide::ONE);
+                let is_lit = mirror.has_direction;
+                ConsistentCosine { cosine: if is_lit { cosine } else { Wide::ZERO }, is_lit }
             }
-            _ => Wide::ZERO,
         };
-        observer.see(format_args!("base"), base, format);
-        base
+        observer.see(format_args!("base"), base.cosine, format);
+        let power = self.power.raise(observer, base.cosine, pixel.exponent);
+        if base.is_lit { power } else { Wide::ZERO }
     }
 }

@@ -3,7 +3,6 @@
 use glam::DVec3;
 use specula_scene::frame::EYE;
 use specula_scene::{Frame, LocalLight, Span, Wrap};
-use specula_spec::phong::{wrap_to_eye, wrap_to_light};
 
 use super::differences::{Vector, difference, dot, scaled, vector};
 use super::{Linear, Number, Second, Walk};
@@ -94,11 +93,11 @@ impl<T: Number> Wrapped<T> {
 
 impl<T: Number> PlaceDirection<T> for Wrapped<T> {
     fn to_light(frame: &Frame, span: &Span, light: &LocalLight) -> Self {
-        Wrapped::new(span, wrap_to_light(frame, span, light))
+        Wrapped::new(span, Wrap::to_light(frame, span, light))
     }
 
     fn to_eye(frame: &Frame, span: &Span, eye: DVec3) -> Self {
-        Wrapped::new(span, wrap_to_eye(frame, span, eye))
+        Wrapped::new(span, Wrap::to_eye(frame, span, eye))
     }
 
     #[inline(always)]

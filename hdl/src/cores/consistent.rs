@@ -10,7 +10,9 @@ use super::forward::Forward;
 use super::vector_ways::{VectorWays, alike};
 use crate::error;
 use crate::error::consistent_reflection::highlight;
-use crate::units::{self, ExactNormalisation, Interpolation, SpanAngles, SpanNormals};
+use crate::units::{
+    self, ConsistentCosine, ExactNormalisation, Interpolation, SpanAngles, SpanNormals,
+};
 use specula_datapath::bound::Interval;
 use specula_datapath::builder::{BuildError, Builder, Sig, Vector};
 use specula_datapath::graph::Graph;
@@ -166,7 +168,7 @@ impl Pixel<'_> {
         let (l, exists) = direction(self.ways, &called("way"), &light.way, self.to);
         let halfway = (self.consistent.highlight == Highlight::Blinn).then(|| {
             b.instance(&called("halfway_normalise"), || {
-                let half = units::half_sum(&l, view);
+                let half = self.ways.half_sum(&l, view);
                 units::normalise_exactly(b, &half, self.to).0
             })
         });
@@ -192,22 +194,31 @@ impl Pixel<'_> {
         let called = |unit: &str| format!("light{index}_{unit}");
         let diffuse = || match self.consistent.diffuse {
             Diffuse::Lambert => units::clamped_cosine(b, self.n, direction, f.diffuse),
-            Diffuse::Consistent => self.consistent_cosine(direction, f.diffuse),
+            Diffuse::Consistent => self.consistent_cosine(direction, f.diffuse).gated(b),
         };
-        let base = b.instance(&called("base"), || match (self.r, halfway) {
-            (_, Some(halfway)) => self.consistent_cosine(halfway, f.base),
-            (Some(r), None) => self.reflected_cosine(r, direction),
+        let diffuse = b.instance(&called("diffuse"), diffuse);
+        let raised = |base: &Sig| {
+            b.instance(&called("power"), || {
+                units::raised(b, base, exponent, self.consistent.power_unit())
+            })
+        };
+        let specular = match (self.r, halfway) {
+            (_, Some(halfway)) => {
+                let cosine =
+                    b.instance(&called("base"), || self.consistent_cosine(halfway, f.base));
+                let least = 1 << Highlight::Blinn.log2_exponent_factor();
+                cosine.gated_power(b, &raised(&cosine.cosine), least)
+            }
+            (Some(r), None) => {
+                raised(&b.instance(&called("base"), || self.reflected_cosine(r, direction)))
+            }
             (None, None) => unreachable!("there is H where there is no r"),
-        });
-        let power = || units::raised(b, &base, exponent, self.consistent.power_unit());
-        Intensities {
-            diffuse: b.instance(&called("diffuse"), diffuse),
-            specular: b.instance(&called("power"), power),
-        }
+        };
+        Intensities { diffuse, specular }
     }
 
     /// N_c·I of any I.
-    fn consistent_cosine(&self, incoming: &Vector, to: Format) -> Sig {
+    fn consistent_cosine(&self, incoming: &Vector, to: Format) -> ConsistentCosine {
         let mirror = (self.n, self.q, self.has_direction);
         units::consistent_cosine(
             self.ways.forward.b,

@@ -177,7 +177,7 @@ impl Pixel<'_> {
         let halfway = match (self.lyon.difference, self.lyon.halfway) {
             (difference, _) if difference.takes_halfway() => Some(&l + view),
             (difference, halfway) if difference.takes_unit_halfway() => {
-                let half = units::half_sum(&l, view);
+                let half = self.ways.half_sum(&l, view);
                 Some(b.instance(&called("halfway_normalise"), || match halfway {
                     Halfway::Half => half.clone(),
                     Halfway::Unit => {

@@ -49,6 +49,12 @@ impl<'a> VectorWays<'a> {
             .no_shorter_than(self.parameters.shortest_way, SHORTEST_WAY)
     }
 
+    /// (L + V)/2 of the way to a light.
+    pub fn half_sum(&self, l: &Vector, view: &Vector) -> Vector {
+        let shortest = 0.5 * self.parameters.shortest_halfway;
+        units::half_sum(l, view).no_shorter_than(shortest, units::SHORTEST_HALFWAY)
+    }
+
     /// What a spot leaves of diffuse and specular light from the direction `l`, rounded to
     /// `fraction_bits`.
     pub fn spotted(

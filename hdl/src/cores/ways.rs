@@ -153,10 +153,11 @@ impl<'a> Ways<'a> {
         let (b, f) = (self.forward.b, &self.formats);
         let to = ReciprocalRoot::from(f.halfway_gain());
         let gain = b.instance(&called("halfway_gain"), || {
-            units::halfway_gain(b, &arrival.dot_view, f.cosine.fraction_bits, to)
+            let shortest = self.parameters.shortest_halfway;
+            units::halfway_gain(b, &arrival.dot_view, shortest, f.cosine.fraction_bits, to)
         });
         let base = b.instance(&called("halfway_cosine"), || {
-            units::halfway_cosine(b, n_dot_v, n_dot_l, &gain, f.base.fraction_bits)
+            units::halfway_cosine(b, [n_dot_v, n_dot_l], &gain, f.base.fraction_bits)
         });
         let of_light = arrival.length.has_direction.choose(&base, &b.integer(0));
         eye.map_or(of_light.clone(), |eye| eye.has_direction.choose(&of_light, &b.integer(0)))

@@ -310,16 +310,39 @@ impl Rounded {
     }
 }
 
-/// How far it is known which side of the horizon I is on: by how much g + b is off at most, twice
-/// q's error and twice b's.
+/// How far it is known which side of the horizon I is on: by how much g + b is off there at most.
 #[derive(Clone, Copy, Debug)]
 pub struct Horizon(f64);
 
 impl Horizon {
     /// Of n and I, and of q, with cosines in this format.
+    ///
+    /// With u for half a unit of cosines' last place, and fixed n no longer than ℓ
+    ///
+    /// ```text
+    /// b = n·I            off by e_b = e_n + ℓ e_I + u
+    /// g = 1 + q (b - 1)  off by q e_b + (1 - b) e_q + u
+    /// g + b              off by (1 + q) e_b + (1 - b) e_q + u
+    /// ```
+    ///
+    /// Where g + b is no further from 0 than it is off, by h,
+    ///
+    /// ```text
+    /// 1 - b ≤ (2 + h)/(1 + q)
+    /// h     ≤ (1 + q) e_b + (2 + h)/(1 + q) e_q + u
+    /// ```
+    ///
+    /// which is convex in q, so largest for a q of 0 or 1.
     pub fn new([normal, incoming]: [VectorBound; 2], q: Bound, cosine: Format) -> Horizon {
-        let e_b = (normal.error.length + incoming.error.length) * 2.0 + cosine.ulp();
-        Horizon(2.0 * q.error + 2.0 * e_b + cosine.ulp())
+        let half_unit = 0.5 * cosine.ulp();
+        let e_b = normal.error.length + normal.longest.max(1.0) * incoming.error.length + half_unit;
+        let (e_q, rest) = (q.error, half_unit);
+        let of = |q: f64| {
+            let of_q = e_q / (1.0 + q);
+            let off = (1.0 + q) * e_b + 2.0 * of_q + rest;
+            if of_q < 1.0 { off / (1.0 - of_q) } else { f64::INFINITY }
+        };
+        Horizon(of(0.0).max(of(1.0)))
     }
 
     /// The smallest 1 + b of an I above the horizon: 1 + b > 2q/(1 + q) ≥ q.
@@ -327,20 +350,37 @@ impl Horizon {
         (q.real.low - self.0).max(0.0)
     }
 
-    /// Bound on the error of |I + r|/2, of I and r, and of the bit that says whether the normal has a
-    /// direction; 1 at most.
+    /// What is known of |I + r|/2, of I above the horizon and r.
     ///
-    /// The length of a vector is off by no more than the vector. At the horizon
+    /// It is the cosine of half the angle between two unit vectors. Turns of both change that angle;
+    /// what they are too long or too short by, σ and σ_I, moves their sum by no more than both:
     ///
     /// ```text
-    /// (N_c·L)² ≤ (g + b)/2
+    /// angle ≤ (turn of I + turn of r)/2
+    /// rest  ≤ (σ_I + σ)/2 + u/2
+    /// ```
+    pub fn cosine([incoming, r]: [VectorBound; 2], to: Format) -> Angular {
+        let errors = [incoming.error, r.error];
+        let half_sum = |of: fn(VectorError) -> f64| 0.5 * (of(errors[0]) + of(errors[1]));
+        Angular {
+            angle: half_sum(VectorError::angle),
+            rest: half_sum(VectorError::stretch) + 0.5 * to.ulp(),
+        }
+    }
+
+    /// How large |I + r|/2, off by `cosine`, is at most where rounding decides which side of the
+    /// horizon I is on; 1 where it may decide whether the normal has a direction.
+    ///
+    /// At the horizon
+    ///
+    /// ```text
+    /// (N_c·I)² ≤ (g + b)/2
     /// ```
     ///
-    /// so that where rounding decides which side of it I is on, √((e_g + e_b)/2) at most is lost.
-    pub fn cosine(self, [incoming, r]: [VectorBound; 2], to: Format, has_direction: Bound) -> f64 {
-        let gate = if has_direction.is_exact() { (self.0 / 2.0).sqrt() } else { 1.0 };
-        let error = 0.5 * (incoming.error.length + r.error.length) + 0.5 * to.ulp() + gate;
-        error.min(1.0)
+    /// which rounding moves by e_g + e_b at most.
+    pub fn most_at_edge(self, cosine: Angular, has_direction: Bound) -> f64 {
+        let most = (self.0 / 2.0).sqrt() + cosine.angle + cosine.rest;
+        if has_direction.is_exact() { most.min(1.0) } else { 1.0 }
     }
 }
 
@@ -527,6 +567,34 @@ mod tests {
         }
     }
 
+    /// Unit vectors turned and stretched as far as they may be: 90 % of the angle is reached, and of
+    /// the rest.
+    #[test]
+    fn half_the_angle_between_them_stays_within_the_bound_and_comes_near() {
+        let mut draw = Draw::new(1);
+        let format = Format::unsigned(1, 14);
+        for (across, along) in [(1e-3, 1e-4), (1e-4, 1e-3)] {
+            let mut vector = VectorBound::ball(1.0, 1.0, across);
+            vector.error = VectorError::components(across, along);
+            let bound = Horizon::cosine([vector; 2], format);
+            let mut reached = [0.0_f64; 2];
+            for _ in 0..40_000 {
+                let x = draw.direction();
+                let beside = draw.across(x);
+                let angle = draw.within(0.0, 3.1);
+                let y = angle.cos() * x + angle.sin() * beside;
+                let beside_y = angle.cos() * beside - angle.sin() * x;
+                let moved_x = x * (1.0 + draw.error(along)) + draw.error(across) * beside;
+                let moved_y = y * (1.0 + draw.error(along)) + draw.error(across) * beside_y;
+                let turned = 0.5 * moved_x.angle_between(moved_y);
+                let fixed = 0.5 * (moved_x + moved_y).length() + draw.error(0.5 * format.ulp());
+                reached[0] = reached[0].max((turned - 0.5 * angle).abs() / bound.angle);
+                reached[1] = reached[1].max((fixed - turned.cos()).abs() / bound.rest);
+            }
+            assert!(reached.iter().all(|share| (0.9..=1.0 + 1e-6).contains(share)), "{reached:?}");
+        }
+    }
+
     /// Light about the horizon, q as small as it may be: 60 % of the bound is reached, by q = 0.
     /// The larger q, the faster the cosine vanishes there.
     #[test]
@@ -535,7 +603,8 @@ mod tests {
         let (off, format) = (1e-4, Format::signed(1, 13));
         let (vector, q) = (VectorBound::ball(0.0, 1.0, off), Bound::near(Interval::ANY, off));
         let horizon = Horizon::new([vector; 2], q, format);
-        let bound = horizon.cosine([vector; 2], format, Bound::near(Interval::ANY, 0.0));
+        let of_cosine = Horizon::cosine([vector; 2], format);
+        let bound = horizon.most_at_edge(of_cosine, Bound::near(Interval::ANY, 0.0));
         let cosine = |n: DVec3, incoming: DVec3, q: f64, moved: f64| {
             let b = n.dot(incoming);
             let lit = 1.0 + q * (b + moved - 1.0) + b + moved > 0.0;
@@ -550,7 +619,7 @@ mod tests {
             let incoming = b * n + (1.0 - b * b).sqrt() * draw.across(n);
             let real = cosine(n, incoming, q, 0.0);
             let fixed_q = (q + draw.error(off)).clamp(0.0, 1.0);
-            let fixed = cosine(n, incoming, fixed_q, draw.error(4.0 * off + format.ulp()));
+            let fixed = cosine(n, incoming, fixed_q, draw.error(2.0 * off + 0.5 * format.ulp()));
             reached = reached.max((fixed - real).abs() / bound);
         }
         assert!(reached <= 1.0 && reached > 0.6, "{reached}");

@@ -69,20 +69,57 @@ pub fn consistent_reflection(
 /// Where the error of r is proven.
 const PROOF: &str = "error::consistent_reflection::Reflection::error";
 
+/// N_c·I of some I.
+pub struct ConsistentCosine {
+    /// |I + r|/2, 0 to 1. Its error is that of an I above the horizon.
+    pub cosine: Sig,
+    /// Whether I is above the horizon and the normal has a direction. If not, N_c·I is 0.
+    pub lit: Sig,
+    /// How large N_c·I is at most where rounding decides that.
+    pub most_at_edge: f64,
+}
+
+impl ConsistentCosine {
+    /// N_c·I.
+    ///
+    /// # Error
+    /// That of [`ConsistentCosine::cosine`], or `most_at_edge`.
+    pub fn gated(&self, b: &Builder) -> Sig {
+        let known = self.cosine.bound().error_bound().or_gated(self.most_at_edge);
+        let lit = self.lit.choose(&self.cosine, &b.integer(0)).clamped_above(1);
+        lit.override_error(AT_EDGE, known).named("lit_cosine")
+    }
+
+    /// (N_c·I)^n from the power of the cosine, n no less than `least_exponent`.
+    ///
+    /// # Error
+    /// That of the power, or `most_at_edge` to the power of the least exponent.
+    pub fn gated_power(&self, b: &Builder, power: &Sig, least_exponent: i32) -> Sig {
+        let at_edge = self.most_at_edge.powi(least_exponent);
+        let known = power.bound().error_bound().or_gated(at_edge);
+        let lit = self.lit.choose(power, &b.integer(0));
+        lit.override_error(AT_EDGE, known).named("lit_power")
+    }
+}
+
+/// Where it is proven how large N_c·I is at the horizon.
+const AT_EDGE: &str = "error::consistent_reflection::Horizon::most_at_edge";
+
 /// N_c·I = |I + r|/2 with r the reflection of I, and 0 for an I below the horizon or a normal
 /// without direction. [Reshetov, Soupikov and Mark; methods D]
 ///
 /// # Error
-/// [`Horizon::cosine`].
+/// [`Horizon::cosine`] and [`Horizon::most_at_edge`].
 pub fn consistent_cosine(
     b: &Builder,
     mirror: (&Vector, &Sig, &Sig),
     incoming: &Vector,
     (formats, to): (&ConsistentFormats, Format),
-) -> Sig {
+) -> ConsistentCosine {
     let (n, q, has_direction) = mirror;
     let inputs = (("n", n), ("q", q), ("has_direction", has_direction), ("incoming", incoming));
-    b.unit(
+    let mut most_at_edge = 1.0;
+    let (cosine, lit) = b.unit(
         "consistent_cosine",
         "c = |I + r|/2 [Reshetov et al.]",
         inputs,
@@ -90,17 +127,19 @@ pub fn consistent_cosine(
             let horizon = Horizon::new([n.bound(), incoming.bound()], q.bound(), formats.cosine);
             let least = horizon.least_divisor(q.bound());
             let (r, above_horizon) = consistent_reflection(b, &n, &incoming, &q, formats, least);
-            let error = horizon.cosine([incoming.bound(), r.bound()], to, has_direction.bound());
+            let known = Horizon::cosine([incoming.bound(), r.bound()], to);
+            most_at_edge = horizon.most_at_edge(known, has_direction.bound());
             let quarter = (&incoming + &r)
                 .length_squared()
                 .times_power_of_two(-2)
                 .clamped_above(1)
                 .named("quarter");
-            let root = square_root(b, &quarter, to.fraction_bits);
-            let lit =
-                above_horizon.and(&has_direction).choose(&root, &b.integer(0)).clamped_above(1);
-            lit.override_error("error::consistent_reflection::Horizon::cosine", error)
-                .named("cosine")
+            let root = square_root(b, &quarter, to.fraction_bits).clamped_above(1);
+            let cosine = root
+                .override_error("error::consistent_reflection::Horizon::cosine", known)
+                .named("cosine");
+            (cosine, above_horizon.and(&has_direction).named("lit"))
         },
-    )
+    );
+    ConsistentCosine { cosine, lit, most_at_edge }
 }

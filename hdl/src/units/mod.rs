@@ -31,7 +31,7 @@ mod wrapped;
 pub use crate::error::length_error::LengthError;
 pub use clamp::{clamp_nonnegative, clamp_unit};
 pub use colour::{Coefficients, Light, channels};
-pub use consistent_reflection::{consistent_cosine, consistent_reflection};
+pub use consistent_reflection::{ConsistentCosine, consistent_cosine, consistent_reflection};
 pub use contraction::{SpanAngles, contraction};
 pub use cosine::{
     Base, Length, cosine, cosine_by_reciprocal, positive_cosine, reflected_base,
@@ -63,8 +63,8 @@ pub use square_root::square_root;
 pub use turned::{along_arc, corrected, product_with_way, specular_base, way_along_arc};
 pub use turned_normal::turned_normal;
 pub use unit_vectors::{
-    cosine_between, halfway_cosine, halfway_gain, halfway_versine, reflected_cosine, spot_cosine,
-    trowbridge_reitz,
+    HalfwayGain, SHORTEST_HALFWAY, cosine_between, halfway_cosine, halfway_gain, halfway_versine,
+    reflected_cosine, spot_cosine, trowbridge_reitz,
 };
 pub use vector::{gated, half_sum, has_direction};
 pub use wrapped::{ToPlace, WrapFormats, WrappedPlace, wrapped, wrapped_place};

@@ -5,6 +5,7 @@ use super::gaussian::kept_versine;
 use super::reciprocal_square_root::{ReciprocalRoot, reciprocal_square_root};
 use super::reflected::{Direction, Reflected, UnitBound, reflected};
 use crate::error;
+use specula_datapath::bound::Interval;
 use specula_datapath::builder::{Builder, Sig, Vector};
 
 /// The cosine of the angle between unit vectors, rounded to `fraction_bits`. Error:
@@ -52,28 +53,54 @@ pub fn reflected_cosine(
     )
 }
 
-/// H*·N = (N·L + N·V)/|L + V|, kept within 0 to 1; `gain` is 1/|L + V|. [methods B6; Lyon, TR 43,
-/// appendix, formulation 5]
+/// 1/|L + V|.
+pub struct HalfwayGain {
+    /// The gain.
+    pub gain: Sig,
+    /// What is known of it where L·V is known as a cosine.
+    proven: Option<error::unit_vectors::HalfwayGain>,
+}
+
+impl HalfwayGain {
+    /// One of which no more is known than its bound.
+    pub fn given(gain: Sig) -> HalfwayGain {
+        HalfwayGain { gain, proven: None }
+    }
+}
+
+/// H*·N = (N·L + N·V)/|L + V|, kept within 0 to 1. [methods B6; Lyon, TR 43, appendix, formulation
+/// 5]
+///
+/// # Error
+/// [`error::unit_vectors::HalfwayGain::cosine`] where N·L, N·V and L·V are known as cosines.
 pub fn halfway_cosine(
     b: &Builder,
-    n_dot_v: &Sig,
-    n_dot_l: &Sig,
-    gain: &Sig,
+    [n_dot_v, n_dot_l]: [&Sig; 2],
+    HalfwayGain { gain, proven }: &HalfwayGain,
     fraction_bits: u32,
 ) -> Sig {
     let inputs = (("n_dot_v", n_dot_v), ("n_dot_l", n_dot_l), ("gain", gain));
     b.unit("halfway_cosine", "H*.N = (N.L + N.V)/|L + V|", inputs, |_, (n_dot_v, n_dot_l, gain)| {
-        to_unit_interval(&((n_dot_l + n_dot_v) * gain), fraction_bits).named("base")
+        let cosine = (&n_dot_l + &n_dot_v) * gain;
+        let rounding = cosine.bound().rounding(fraction_bits);
+        let factors = [n_dot_v.bound(), n_dot_l.bound()];
+        let known = proven.and_then(|gain| gain.cosine(factors, rounding));
+        let base = to_unit_interval(&cosine, fraction_bits);
+        match known {
+            Some(known) => {
+                base.tighten_error("error::unit_vectors::HalfwayGain::cosine", known).named("base")
+            }
+            None => base.named("base"),
+        }
     })
 }
 
-/// 1 - H*·N, kept within 0 to 15/8; `gain` is 1/|L + V|. [methods B6; Lyon, TR 43, appendix,
+/// 1 - H*·N, kept within 0 to 15/8. [methods B6; Lyon, TR 43, appendix,
 /// formulation 11]
 pub fn halfway_versine(
     b: &Builder,
-    n_dot_v: &Sig,
-    n_dot_l: &Sig,
-    gain: &Sig,
+    [n_dot_v, n_dot_l]: [&Sig; 2],
+    HalfwayGain { gain, .. }: &HalfwayGain,
     fraction_bits: u32,
 ) -> Sig {
     let inputs = (("n_dot_v", n_dot_v), ("n_dot_l", n_dot_l), ("gain", gain));
@@ -88,19 +115,31 @@ pub fn halfway_versine(
     )
 }
 
-/// 1/|L + V| = 1/√(2 + 2 V·L). [methods B6]
+/// What a scene's needs say of half-way vectors.
+pub const SHORTEST_HALFWAY: &str = "no L + V is shorter than at any pixel";
+
+/// 1/|L + V| = 1/√(2 + 2 V·L) of L + V no shorter than `shortest`. [methods B6]
 pub fn halfway_gain(
     b: &Builder,
     l_dot_v: &Sig,
+    shortest: f64,
     length_squared_bits: u32,
     to: ReciprocalRoot,
-) -> Sig {
-    b.unit("halfway_gain", "y = 1/sqrt(2 + 2 V.L)", (("l_dot_v", l_dot_v),), |b, (l_dot_v,)| {
-        let squared = (b.integer(2) + l_dot_v.doubled())
+) -> HalfwayGain {
+    let formula = "y = 1/sqrt(2 + 2 V.L)";
+    let mut rounding = 0.0;
+    let gain = b.unit("halfway_gain", formula, (("l_dot_v", l_dot_v),), |b, (l_dot_v,)| {
+        let exact = b.integer(2) + l_dot_v.doubled();
+        rounding = exact.bound().rounding(length_squared_bits);
+        let squared = exact
             .rounded(length_squared_bits)
+            .real_within(Interval::at_least(shortest * shortest), SHORTEST_HALFWAY)
             .named("halfway_squared");
         reciprocal_square_root(b, &squared, to)
-    })
+    });
+    let known = [shortest, to.least_operand(), gain.ulp()];
+    let proven = error::unit_vectors::HalfwayGain::new(l_dot_v.bound(), rounding, known);
+    HalfwayGain { gain, proven }
 }
 
 /// -L·A of a spot with axis A, kept within 0 to 1. [Hast et al., after eq. 35]

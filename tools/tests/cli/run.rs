@@ -295,7 +295,7 @@ fn a_core_must_fit_its_device() {
         "of 8 multiplier blocks",
         "usable logic cells",
         "specula explore",
-        "no device that is known here has enough",
+        "no known device of `ice40up` has enough",
     ] {
         assert!(refused.stderr.contains(part), "{part}: {}", refused.stderr);
     }

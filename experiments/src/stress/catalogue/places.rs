@@ -36,6 +36,11 @@ fn is_wrapped(spec: &CoreSpec) -> bool {
     }
 }
 
+/// Whether the core sees places from every pixel; `hybrid` does so for its highlights alone.
+fn follows_ways(spec: &CoreSpec) -> bool {
+    spec.follows_ways() && !matches!(spec.method, MethodSpec::Phong(_) | MethodSpec::Hybrid(_))
+}
+
 /// Row 39.
 pub const IN_THE_SURFACE: CatalogueRow = CatalogueRow {
     id: "39",
@@ -64,6 +69,9 @@ pub const FAR: CatalogueRow = CatalogueRow {
             let ends = |pixel: &Pixel| !pixel.is_end() || pixel.is_within(1.0, pixel.exact());
             Case::new(wall(vec![Light::At(distance * tilted(60.0))], None))
                 .requiring("true directions: within 1 LSB of exact shading", is_phongs, near)
+                .requiring("ways: within 3 LSB of exact shading", follows_ways, |pixel| {
+                    pixel.is_within(3.0, pixel.exact())
+                })
                 .requiring(
                     "wrapped directions: within 1 LSB of exact shading at both ends",
                     is_wrapped,

@@ -3,7 +3,6 @@
 use glam::DVec3;
 use specula_golden::exact::formula::illumination::{self, Illumination};
 use specula_scene::{Frame, Span, Wrap};
-use specula_spec::phong::{wrap_to_eye, wrap_to_light};
 
 use super::lobe::power_turn_change;
 use super::normal::{angle, wrap_turn};
@@ -62,7 +61,7 @@ impl Directions {
         let (t, position) = (span.parameter(i), frame.position_at(span, span.weights(i)));
         let far = frame.lights.iter().map(|_| TRUE);
         let near = frame.local_lights.iter().map(|light| {
-            let off = wrap_error(&wrap_to_light(frame, span, light), t, light.position - position);
+            let off = wrap_error(&Wrap::to_light(frame, span, light), t, light.position - position);
             match (off, &light.spot) {
                 (Direction::Known { turn, .. }, Some(spot)) => {
                     Direction::Known { turn, share: power_turn_change(turn, spot.exponent) }
@@ -72,7 +71,7 @@ impl Directions {
         });
         let view = frame
             .eye
-            .map_or(TRUE, |eye| wrap_error(&wrap_to_eye(frame, span, eye), t, eye - position));
+            .map_or(TRUE, |eye| wrap_error(&Wrap::to_eye(frame, span, eye), t, eye - position));
         Directions { lights: far.chain(near).collect(), view }
     }
 }
@@ -84,7 +83,7 @@ pub fn middle(span: &Span) -> [f64; 3] {
 
 /// The difference between a wrap and `truth` at parameter `t`.
 fn wrap_error(wrap: &Wrap, t: f64, truth: DVec3) -> Direction {
-    let interpolated = wrap.ends[0].lerp(wrap.ends[1], t);
+    let interpolated = wrap.chord(t);
     match wrap_turn(interpolated, Some(wrap.axis)) {
         Some(turn) if truth != DVec3::ZERO => {
             Direction::Known { turn: turn + angle(interpolated, truth), share: 0.0 }

@@ -2,7 +2,7 @@
 //! and Bengtsson, eq. 35 to 38; methods C15 to C18].
 use glam::DVec3;
 use specula_scene::{Frame, LocalLight, Span, Wrap};
-use specula_spec::phong::{Places, wrap_to_eye, wrap_to_light};
+use specula_spec::phong::Places;
 
 use crate::exact::formula::illumination::{self, Illumination};
 use crate::exact::formula::point_light;
@@ -25,11 +25,11 @@ impl<'a> Directions<'a> {
     /// The directions of a span.
     pub fn new(frame: &'a Frame, span: &'a Span, places: Places) -> Directions<'a> {
         let wraps = || Wraps {
-            eye: frame.eye.map(|eye| wrap_to_eye(frame, span, eye)),
+            eye: frame.eye.map(|eye| Wrap::to_eye(frame, span, eye)),
             lights: frame
                 .local_lights
                 .iter()
-                .map(|light| wrap_to_light(frame, span, light))
+                .map(|light| Wrap::to_light(frame, span, light))
                 .collect(),
         };
         Directions { frame, span, wraps: (places == Places::Wrapped).then(wraps) }
@@ -39,7 +39,7 @@ impl<'a> Directions<'a> {
     pub fn view(&self, i: u32) -> Option<DVec3> {
         match self.wraps.as_ref().and_then(|wraps| wraps.eye.as_ref()) {
             Some(wrap) => has_direction(wrap)
-                .then(|| point_light::wrapped(wrap.axis, at(wrap, self.span.parameter(i)))),
+                .then(|| point_light::wrapped(wrap.axis, wrap.chord(self.span.parameter(i)))),
             None => illumination::view(self.frame, self.span, self.span.weights(i)),
         }
     }
@@ -63,7 +63,7 @@ impl<'a> Directions<'a> {
 
 /// L' and the spot's max(S·L', 0)^p [eq. 36, 37].
 fn wrapped(light: &LocalLight, wrap: &Wrap, t: f64) -> Option<Illumination> {
-    let to_light = at(wrap, t);
+    let to_light = wrap.chord(t);
     let share = match &light.spot {
         Some(spot) if to_light.dot(wrap.axis) > 0.0 => {
             point_light::wrapped_cosine(wrap.axis, to_light)
@@ -75,11 +75,6 @@ fn wrapped(light: &LocalLight, wrap: &Wrap, t: f64) -> Option<Illumination> {
     };
     has_direction(wrap)
         .then(|| Illumination { direction: point_light::wrapped(wrap.axis, to_light), share })
-}
-
-/// The vector to be wrapped, at parameter `t` of the span.
-fn at(wrap: &Wrap, t: f64) -> DVec3 {
-    wrap.ends[0].lerp(wrap.ends[1], t)
 }
 
 fn has_direction(wrap: &Wrap) -> bool {

@@ -2,12 +2,12 @@
 mod direction;
 mod lamp;
 
-use specula_spec::phong::{Highlight, PhongInputs, PhongLight, PhongSpec};
+use specula_spec::phong::{Highlight, PhongInputs, PhongLight, PhongSpec, Places};
 use specula_spec::{CoreInputs, CoreParameters, InputPort};
 
 use super::common::{Intensities, eye, finish, time_slots, unit_vector};
 use crate::error;
-use crate::units::{self, Interpolation};
+use crate::units::{self, HalfwayGain, Interpolation};
 use specula_datapath::builder::{BuildError, Builder, Sig, TimeSlots};
 use specula_datapath::graph::Graph;
 
@@ -116,8 +116,11 @@ impl Pixel<'_> {
         let (b, f) = (self.b, &self.phong.formats);
         let called = |unit: &str| format!("light{}_{unit}", at.index);
         let base_bits = f.base.fraction_bits;
-        let gain =
-            || self.unless_sent(at, at.lamp.light.halfway_gain.as_ref(), || self.halfway_gain(at));
+        let cosines = [at.n_dot_v, &at.n_dot_l];
+        let gain = || match at.lamp.light.halfway_gain.as_ref() {
+            None => self.halfway_gain(at),
+            sent => HalfwayGain::given(self.unless_sent(at, sent, || self.halfway_gain(at).gain)),
+        };
         let base = match self.phong.highlight {
             Highlight::Reflection => {
                 let l_dot_v = self
@@ -127,12 +130,11 @@ impl Pixel<'_> {
                 b.instance(&called("reflected_cosine"), base)
             }
             Highlight::Blinn | Highlight::TrowbridgeReitz => {
-                let base = || units::halfway_cosine(b, at.n_dot_v, &at.n_dot_l, &gain(), base_bits);
+                let base = || units::halfway_cosine(b, cosines, &gain(), base_bits);
                 b.instance(&called("halfway_cosine"), base)
             }
             Highlight::TorranceSparrow => {
-                let base =
-                    || units::halfway_versine(b, at.n_dot_v, &at.n_dot_l, &gain(), base_bits);
+                let base = || units::halfway_versine(b, cosines, &gain(), base_bits);
                 b.instance(&called("halfway_versine"), base)
             }
         };
@@ -170,10 +172,15 @@ impl Pixel<'_> {
         self.cosine(&format!("light{}_l_dot_v", at.index), at.direction, at.view)
     }
 
-    fn halfway_gain(&self, at: &Arrival) -> Sig {
+    fn halfway_gain(&self, at: &Arrival) -> HalfwayGain {
         let l_dot_v = self.l_dot_v(at);
         let bits = self.phong.formats.length_squared.fraction_bits;
-        let gain = || units::halfway_gain(self.b, &l_dot_v, bits, self.reciprocal());
+        // Wrapped directions are others than those that the scene's needs know.
+        let shortest = match self.phong.places {
+            Places::Exact => self.parameters.shortest_halfway,
+            Places::Wrapped => 0.0,
+        };
+        let gain = || units::halfway_gain(self.b, &l_dot_v, shortest, bits, self.reciprocal());
         self.b.instance(&format!("light{}_halfway_gain", at.index), gain)
     }
 
