@@ -253,15 +253,11 @@ impl LyonSpec {
                 vec![self.span_vectors().accumulator_point("normal_accumulator", span_bits)]
             }
         };
-        points.push(
-            point(
-                "vector",
-                f.vector,
-                SIGNED_UNIT,
-                "components of N' = N0 + a (N1 - N0) and of n = g N'",
-            )
-            .with_at_least(fewest),
-        );
+        let components = match self.increments {
+            Increments::Multiplied => "components of N' = N0 + a (N1 - N0) and of n = g N'",
+            Increments::Added => "components of N' = N0 + i dN and of n = g N'",
+        };
+        points.push(point("vector", f.vector, SIGNED_UNIT, components).with_at_least(fewest));
         if self.follows() {
             points.push(
                 point("length_squared", f.length_squared, UNIT, "z = N'.N'").with_at_least(fewest),
