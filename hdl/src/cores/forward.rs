@@ -19,10 +19,10 @@ impl Forward<'_> {
     /// What is linear along a span, from -1 to 1, rounded.
     pub fn linear(&self, instance: &str, linear: &Linear<Sig>, fraction_bits: u32) -> Sig {
         let of = Steps { start: &linear.start, step: &linear.step, limit: 1.0 };
-        self.steps(instance, of).rounded(fraction_bits)
+        self.accumulated(instance, of).rounded(fraction_bits)
     }
 
-    fn steps(&self, instance: &str, of: Steps) -> Sig {
+    fn accumulated(&self, instance: &str, of: Steps) -> Sig {
         self.b.instance(instance, || units::linear(self.b, self.first, of, self.steps))
     }
 
@@ -37,7 +37,7 @@ impl Forward<'_> {
     ) -> Vector {
         let component = |(c, axis): (usize, &str)| {
             let of = Steps { start: &start[c], step: &step[c], limit: longest };
-            self.steps(&format!("{name}_{axis}"), of).rounded(rounded.fraction_bits)
+            self.accumulated(&format!("{name}_{axis}"), of).rounded(rounded.fraction_bits)
         };
         let off = error::linear::bound(self.steps, start[0].ulp()) + rounded.ulp();
         Vector::new([(0, "x"), (1, "y"), (2, "z")].map(component))
