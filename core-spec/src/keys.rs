@@ -28,6 +28,8 @@ struct Keys {
     shortest_normal: f64,
     shortest_way: f64,
     shortest_unit_way: f64,
+    /// Cores that were made before there was this key say nothing of it.
+    #[serde(default)]
     shortest_halfway: f64,
     least_cone_cosine: f64,
     least_view_cosine: f64,

@@ -254,6 +254,14 @@ impl LightWay<CoreInput> {
     }
 }
 
+impl<T: Clone> VectorWay<T> {
+    /// The components at the first pixel, and what they grow by.
+    pub fn start_and_step(&self) -> [[T; 3]; 2] {
+        let components = [&self.x, &self.y, &self.z];
+        [components.map(|c| c.start.clone()), components.map(|c| c.step.clone())]
+    }
+}
+
 impl VectorWay<CoreInput> {
     /// The inputs of a way called `way` in formulas.
     pub(crate) fn inputs(way: &str, name: &str, format: Format) -> VectorWay<CoreInput> {

@@ -39,6 +39,23 @@ fn a_core_is_read_as_it_is_written() {
     }
 }
 
+/// Files from before increments could be added are those of cores that multiply them.
+#[test]
+fn cores_that_say_nothing_of_increments_multiply_them() {
+    for (method, format) in
+        [(Method::Lyon, "normal_accumulator"), (Method::Phong, "vector_accumulator")]
+    {
+        let file = SpecFile { name: "teapot".to_owned(), spec: core("teapot", Some(method)) };
+        let text = file.text();
+        let new = |line: &&str| line.starts_with("increments") || line.starts_with(format);
+        let old: Vec<&str> = text.lines().filter(|line| !new(line)).collect();
+        assert_eq!(old.len() + 2, text.lines().count(), "{text}");
+        let read = SpecFile::parse("spec.toml", old.join("\n")).unwrap();
+        assert_eq!(read.spec.inputs(), file.spec.inputs());
+        assert_eq!(read.spec.narrowing_points(), file.spec.narrowing_points());
+    }
+}
+
 #[test]
 fn what_is_no_core_is_refused_where_it_is_wrong() {
     let text =

@@ -2,7 +2,7 @@
 use glam::DVec3;
 use specula_scene::{DirectionalLight, Frame, load};
 use specula_spec::phong::{Highlight, Places};
-use specula_spec::{CoreSpec, LightPipelines, Method, MethodSpec, SceneCore};
+use specula_spec::{CoreSpec, Increments, LightPipelines, Method, MethodSpec, SceneCore};
 use specula_testbench::{Bench, EngineKind, Outcome};
 
 fn shaded<'a>(frame: &'a Frame, spec: &'a CoreSpec) -> (Bench<'a>, Outcome) {
@@ -40,16 +40,21 @@ fn every_methods_lights_can_take_turns() {
     }
 }
 
-/// A distant light, a lamp and a spot seen from an eye nearby: whatever `phong` makes of directions
-/// and highlights.
+/// A distant light, a lamp and a spot seen from an eye nearby: whatever `phong` makes of directions,
+/// increments and highlights.
 #[test]
 fn lights_of_all_kinds_can_take_turns() {
     let loaded = load("lamps", Some((48, 36))).unwrap();
-    for highlight in [Highlight::Reflection, Highlight::Blinn, Highlight::TrowbridgeReitz] {
+    for (highlight, increments) in [
+        (Highlight::Reflection, Increments::Multiplied),
+        (Highlight::Blinn, Increments::Added),
+        (Highlight::TrowbridgeReitz, Increments::Multiplied),
+    ] {
         for places in [Places::Exact, Places::Wrapped] {
             let mut spec = loaded.core_spec(Some(Method::Phong)).unwrap().general();
             if let MethodSpec::Phong(phong) = &mut spec.method {
                 (phong.places, phong.highlight) = (places, highlight);
+                phong.increments = increments;
             }
             take_turns(&loaded.frame, &spec);
             take_turns(&loaded.frame, &spec.specialised(&loaded.frame));

@@ -109,7 +109,11 @@ fn enabled(design: &Design) -> Vec<(NodeId, NodeId)> {
 fn a_loop_that_does_not_pause_is_reported() {
     let frame = picture();
     let cores = [
-        spec_with(&frame, Method::Lyon, "normals = \"wrapped\"\naxis = \"previous\""),
+        spec_with(
+            &frame,
+            Method::Lyon,
+            "normals = \"wrapped\"\naxis = \"previous\"\nincrements = \"added\"",
+        ),
         spec(&frame, Method::Hybrid),
         spec(&frame, Method::Slerp),
         shared(spec(&frame, Method::Gouraud)),

@@ -8,6 +8,7 @@ use super::{
 };
 use crate::defaults::span_bits;
 use crate::error::{SpecError, within};
+use crate::increments::Increments;
 use crate::method_set_up::SetUpSpan;
 use crate::narrowing::{
     FEWEST_FRACTION_BITS, MOST_FRACTION_BITS, NarrowingPoint, SIGNED_UNIT, UNIT,
@@ -24,6 +25,7 @@ impl LyonSpec {
     pub const OPTION_DOMAINS: &'static [OptionDomain] = &[
         OptionDomain { key: "normals", values: &["\"linear\"", "\"flat\"", "\"wrapped\""] },
         OptionDomain { key: "axis", values: &["\"bisector\"", "\"face\"", "\"previous\""] },
+        Increments::OPTION_DOMAIN,
         OptionDomain {
             key: "normalisation",
             values: &["\"none\"", "\"g1\"", "\"g2\"", "\"exact\""],
@@ -52,9 +54,12 @@ impl LyonSpec {
     pub fn for_needs(needs: &Needs) -> LyonSpec {
         let typical = needs.widest_angle <= 30.0 && needs.largest_shininess <= 256;
         let (vector, fine, shape) = if typical { (14, 14, 12) } else { (17, 19, 14) };
+        let span_bits = span_bits(needs.longest_span);
+        let accumulator = ways::vector_accumulator_for_spans(span_bits, Format::signed(1, vector));
         LyonSpec {
             normals: Normals::Linear,
             axis: WrapAxis::Bisector,
+            increments: Increments::Multiplied,
             normalisation: cheapest_normalisation(needs),
             newton_steps: u32::from(!typical).max(newton_steps_for_ways(needs)),
             difference: Difference::HalfwayCrossNormal,
@@ -66,18 +71,16 @@ impl LyonSpec {
             formats: LyonFormats {
                 // A step is off by half an ulp, and so is S times that at the end of the span: log2
                 // S + 1 more bits keep the weight within half an ulp of its own format.
-                weight_accumulator: Format::unsigned(1, vector + span_bits(needs.longest_span) + 1),
+                weight_accumulator: Format::unsigned(1, vector + span_bits + 1),
                 weight: Format::unsigned(1, vector),
+                normal_accumulator: accumulator,
                 vector: Format::signed(1, vector),
                 // N' is off by up to 4 of their units of the last place, and by half of its own.
                 wrap_operand: Format::unsigned(3, fine + 2),
                 wrap_ratio: Format::unsigned(1, fine + 2),
                 length_squared: Format::unsigned(1, fine),
                 gain: Format::unsigned(2, fine),
-                way_accumulator: ways::vector_accumulator_for_spans(
-                    span_bits(needs.longest_span),
-                    Format::signed(1, vector),
-                ),
+                way_accumulator: accumulator,
                 product: WHOLE_PRODUCT,
                 diffuse: Format::unsigned(1, shape),
                 difference: Format::signed(2, vector),
@@ -186,6 +189,9 @@ impl ShadingMethod for LyonSpec {
         if self.normals == Normals::Linear && approximate {
             options.push(("Newton steps", self.newton_steps.to_string()));
         }
+        if self.normals != Normals::Flat {
+            options.extend(self.increments.option());
+        }
         options.push(("difference", self.difference_in_words()));
         options.push(("shape", self.shape_in_words()));
         options.extend(self.places.option());
@@ -229,26 +235,29 @@ impl LyonSpec {
         let accumulated = "step of the interpolation weight, rounded by the host";
         // What is carried from pixel to pixel stays near unit length only where rounding is fine.
         let fewest = if self.follows() { FEWEST_TO_FOLLOW } else { FEWEST_FRACTION_BITS };
-        let mut points = vec![
-            NarrowingPoint::accumulated(
-                "weight_accumulator",
-                f.weight_accumulator,
-                UNIT,
-                (1, span_bits),
-                accumulated,
-            )
-            .with_at_least(fewest),
-            point("weight", f.weight, UNIT, "interpolation weight a")
-                .no_finer_than(f.weight_accumulator)
+        let mut points = match self.increments {
+            Increments::Multiplied => vec![
+                NarrowingPoint::accumulated(
+                    "weight_accumulator",
+                    f.weight_accumulator,
+                    UNIT,
+                    (1, span_bits),
+                    accumulated,
+                )
                 .with_at_least(fewest),
-            point(
-                "vector",
-                f.vector,
-                SIGNED_UNIT,
-                "components of N' = N0 + a (N1 - N0) and of n = g N'",
-            )
-            .with_at_least(fewest),
-        ];
+                point("weight", f.weight, UNIT, "interpolation weight a")
+                    .no_finer_than(f.weight_accumulator)
+                    .with_at_least(fewest),
+            ],
+            Increments::Added => {
+                vec![self.span_vectors().accumulator_point("normal_accumulator", span_bits)]
+            }
+        };
+        let components = match self.increments {
+            Increments::Multiplied => "components of N' = N0 + a (N1 - N0) and of n = g N'",
+            Increments::Added => "components of N' = N0 + i dN and of n = g N'",
+        };
+        points.push(point("vector", f.vector, SIGNED_UNIT, components).with_at_least(fewest));
         if self.follows() {
             points.push(
                 point("length_squared", f.length_squared, UNIT, "z = N'.N'").with_at_least(fewest),

@@ -4,6 +4,7 @@ use specula_datapath::Format;
 use super::{Halfway, LyonSpec, Normals, ShapeDatapath, WrapAxis};
 use crate::core_input::CoreInput;
 use crate::core_input::InputRole::Exponent;
+use crate::increments::Increments;
 use crate::input_meaning::InputMeaning;
 use crate::inputs::{CoreInputs, MethodInputs, inputs};
 use crate::parameters::CoreParameters;
@@ -15,10 +16,11 @@ inputs! {
         /// N0, the normal at the first pixel; of flat normals the only one, and of those wrapped
         /// around a fixed w N0 + w.
         normal_start: vector,
-        /// N1 - N0, over the whole span; not there with flat normals.
+        /// N1 - N0, over the whole span, or with each pixel where increments are added; not there
+        /// with flat normals.
         normal_delta: vector_if_any,
         /// 1/S, what the weight grows by with each pixel; 0 in a span of one pixel. Not there with
-        /// flat normals.
+        /// flat normals, nor where increments are added.
         weight_step: one_if_any,
         /// w, with wrapped normals.
         wrap_axis: vector_if_any,
@@ -56,22 +58,20 @@ impl MethodInputs for LyonSpec {
         let changes = self.normals != Normals::Flat;
         let vector =
             |meaning: &InputMeaning, name: &str| CoreInput::vector(meaning, name, f.vector, 1.0);
-        let sum = |meaning: &InputMeaning, name: &str| {
-            CoreInput::vector(meaning, name, f.vector_sum(), 2.0)
-        };
+        let vectors = self.span_vectors();
         let number = |meaning: InputMeaning, name: &str, format: Format| {
             CoreInput::between(meaning, name, format, 0.0, 1.0)
         };
         let [start, delta] = self.normal_meanings();
+        let multiplies = changes && self.increments == Increments::Multiplied;
         LyonSpan {
             normal_start: match self.normals {
-                Normals::Linear => vector(&start, "normal_start"),
                 Normals::Flat => vector(&start, "normal"),
-                Normals::Wrapped if self.follows() => vector(&start, "normal_start"),
-                Normals::Wrapped => sum(&start, "wrap_start"),
+                Normals::Wrapped if !self.follows() => vectors.start(&start, "wrap_start", 2.0),
+                Normals::Linear | Normals::Wrapped => vectors.start(&start, "normal_start", 1.0),
             },
-            normal_delta: changes.then(|| sum(&delta, "normal_delta")),
-            weight_step: changes
+            normal_delta: changes.then(|| vectors.change("the normal N", &delta, "normal")),
+            weight_step: multiplies
                 .then(|| number(InputMeaning::weight_step(), "weight_step", f.weight_accumulator)),
             wrap_axis: (self.normals == Normals::Wrapped)
                 .then(|| vector(&self.axis_meaning(), "wrap_axis")),

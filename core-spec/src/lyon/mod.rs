@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use specula_datapath::Format;
 
 use crate::formats::formats;
+use crate::increments::{Increments, SpanVectors};
 use crate::ways::Places;
 
 pub use inputs::{LyonInputs, LyonLight, LyonSpan};
@@ -128,6 +129,9 @@ pub struct LyonSpec {
     pub normals: Normals,
     /// What wrapped normals are wrapped around.
     pub axis: WrapAxis,
+    /// What becomes of the increments of normals that change along a span.
+    #[serde(default)]
+    pub increments: Increments,
     /// First approximation of 1/|N'|.
     pub normalisation: Normalisation,
     /// Newton steps g ← g(3 - z g²)/2 after it, 0 to 3.
@@ -154,10 +158,15 @@ formats! {
     #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
     #[serde(deny_unknown_fields)]
     pub struct LyonFormats {
-        /// Accumulator of the interpolation weight a: `U1.f`. The host rounds the step 1/S into it.
+        /// Accumulator of the interpolation weight a (with increments multiplied only): `U1.f`. The
+        /// host rounds the step 1/S into it.
         pub weight_accumulator: Format,
         /// The weight a, rounded from the accumulator: `U1.f`.
         pub weight: Format,
+        /// Accumulators of the components of normals (with increments added only): `S3.f`. The host
+        /// rounds start and step into it.
+        #[serde(default = "default_normal_accumulator")]
+        pub normal_accumulator: Format,
         /// Components of normals and light directions, of N' after interpolation and of n after
         /// normalisation: `S1.f`. Differences of normals and half-way vectors have the same
         /// fraction bits and one more integer bit.
@@ -198,9 +207,13 @@ const fn one() -> u32 {
     1
 }
 
-/// The format of what those cores do not have.
+/// Formats of what those cores do not have.
 const fn default_shininess_share() -> Format {
     Format::unsigned(13, 12)
+}
+
+const fn default_normal_accumulator() -> Format {
+    Format::signed(3, 24)
 }
 
 impl LyonFormats {
@@ -221,6 +234,15 @@ impl LyonFormats {
 pub const LOG2_LARGEST_GAIN: u32 = 4;
 
 impl LyonSpec {
+    /// Normals along a span.
+    pub(crate) fn span_vectors(&self) -> SpanVectors {
+        SpanVectors {
+            increments: self.increments,
+            vector: self.formats.vector,
+            accumulator: self.formats.normal_accumulator,
+        }
+    }
+
     /// The same with g2 alone for a normalisation.
     pub fn with_g2(&self) -> LyonSpec {
         LyonSpec { normalisation: Normalisation::G2, newton_steps: 0, ..self.clone() }

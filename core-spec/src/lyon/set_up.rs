@@ -3,6 +3,7 @@ use glam::DVec3;
 use specula_scene::frame::{DirectionalLight, EYE, Frame, Span};
 
 use super::{Halfway, LyonLight, LyonSpan, LyonSpec, NormalWrap, Normals, ShapeDatapath};
+use crate::increments::Increments;
 use crate::method_set_up::MethodSetUp;
 use crate::ways::Ways;
 
@@ -77,14 +78,11 @@ impl LyonSetUp<'_> {
 
     fn normals(&self, span: &Span) -> NormalInputs {
         let f = &self.lyon.formats;
-        // The difference of what is sent, so that the end is met as it was quantised.
-        let between =
-            |start: [i64; 3], end: [i64; 3]| Some(std::array::from_fn(|i| end[i] - start[i]));
+        let between = |ends| self.lyon.span_vectors().quantised(span, ends);
         match self.lyon.normals {
             Normals::Linear => {
-                let [start, end] =
-                    self.frame.end_normals(span).map(|n| f.vector.quantise_vector(n));
-                NormalInputs { start, delta: between(start, end), axis: None, follows: None }
+                let [start, delta] = between(self.frame.end_normals(span));
+                NormalInputs { start, delta: Some(delta), axis: None, follows: None }
             }
             Normals::Flat => {
                 let start = f.vector.quantise_vector(self.frame.facet_normal(span));
@@ -93,13 +91,13 @@ impl LyonSetUp<'_> {
             Normals::Wrapped => {
                 let NormalWrap { wrap, follows } = self.lyon.wrap(self.frame, span);
                 let follows = self.lyon.follows().then_some(i64::from(follows));
-                let [start, end] = match follows {
-                    Some(_) => wrap.ends.map(|n| f.vector.quantise_vector(n)),
-                    None => wrap.ends.map(|n| f.vector_sum().quantise_vector(n + wrap.axis)),
-                };
+                let [start, delta] = between(match follows {
+                    Some(_) => wrap.ends,
+                    None => wrap.ends.map(|n| n + wrap.axis),
+                });
                 NormalInputs {
                     start,
-                    delta: between(start, end),
+                    delta: Some(delta),
                     axis: Some(f.vector.quantise_vector(wrap.axis)),
                     follows,
                 }
@@ -107,9 +105,11 @@ impl LyonSetUp<'_> {
         }
     }
 
-    fn weight_step(&self, span: &Span) -> i64 {
-        let step = span.weight_step();
-        self.lyon.formats.weight_accumulator.quantise(step)
+    /// What the weight grows by, where there is one.
+    fn weight_step(&self, span: &Span) -> Option<i64> {
+        let changes = self.lyon.normals != Normals::Flat;
+        (changes && self.lyon.increments == Increments::Multiplied)
+            .then(|| self.lyon.formats.weight_accumulator.quantise(span.weight_step()))
     }
 
     fn shininess(&self, shininess: u32) -> i64 {
@@ -138,7 +138,7 @@ impl MethodSetUp for LyonSetUp<'_> {
         LyonSpan {
             normal_start: normals.start,
             normal_delta: normals.delta,
-            weight_step: normals.delta.map(|_| self.weight_step(span)),
+            weight_step: self.weight_step(span),
             wrap_axis: normals.axis,
             wrap_follows: normals.follows,
             eye: self.ways(span).vector_eye().filter(|_| self.sends_ways()),

@@ -5,9 +5,11 @@ use specula_scene::needs::Needs;
 
 use super::{Highlight, PhongFormats, PhongSpec, Places};
 use crate::defaults::span_bits;
+use crate::increments::Increments;
 use crate::method_set_up::SetUpSpan;
 use crate::narrowing::{NarrowingPoint, SIGNED_UNIT, UNIT};
 use crate::shading_method::{OptionDomain, ShadingMethod, Viewpoint};
+use crate::ways::vector_accumulator_for_spans;
 
 impl PhongSpec {
     /// Options and their values.
@@ -22,6 +24,7 @@ impl PhongSpec {
             ],
         },
         OptionDomain { key: "places", values: &["\"exact\"", "\"wrapped\""] },
+        Increments::OPTION_DOMAIN,
     ];
 
     /// An error e of the base moves (R·L)^n by n e at most, so half an LSB asks for log2 n + 9 bits
@@ -35,12 +38,18 @@ impl PhongSpec {
             (-needs.shortest_normal.min(needs.shortest_way).max(0.0625).log2()).ceil() as u32;
         let base = (exponent_bits.max(4) + 9).min(22);
         let vector = (base + 2 + short).min(22);
+        let span_bits = span_bits(needs.longest_span);
         PhongSpec {
             highlight: Highlight::Reflection,
             places: Places::Exact,
+            increments: Increments::Multiplied,
             formats: PhongFormats {
-                weight_accumulator: Format::unsigned(1, vector + span_bits(needs.longest_span) + 1),
+                weight_accumulator: Format::unsigned(1, vector + span_bits + 1),
                 weight: Format::unsigned(1, vector),
+                vector_accumulator: vector_accumulator_for_spans(
+                    span_bits,
+                    Format::signed(1, vector),
+                ),
                 vector: Format::signed(1, vector),
                 length_squared: Format::unsigned(2, (vector + 2 + short).min(24)),
                 gain: Format::unsigned(4, (vector + 1).min(24)),
@@ -60,6 +69,7 @@ impl ShadingMethod for PhongSpec {
         let &PhongFormats {
             weight_accumulator,
             weight,
+            vector_accumulator: _,
             vector,
             length_squared,
             gain,
@@ -71,16 +81,23 @@ impl ShadingMethod for PhongSpec {
         } = &self.formats;
         let point = NarrowingPoint::rounded;
         let accumulated = "step of the interpolation weight, rounded by the host";
-        let mut points = vec![
-            NarrowingPoint::accumulated(
-                "weight_accumulator",
-                weight_accumulator,
-                UNIT,
-                (1, span_bits),
-                accumulated,
-            ),
-            point("weight", weight, UNIT, "interpolation weight a")
-                .no_finer_than(weight_accumulator),
+        let mut points = match self.increments {
+            Increments::Multiplied => vec![
+                NarrowingPoint::accumulated(
+                    "weight_accumulator",
+                    weight_accumulator,
+                    UNIT,
+                    (1, span_bits),
+                    accumulated,
+                ),
+                point("weight", weight, UNIT, "interpolation weight a")
+                    .no_finer_than(weight_accumulator),
+            ],
+            Increments::Added => {
+                vec![self.span_vectors().accumulator_point("vector_accumulator", span_bits)]
+            }
+        };
+        points.extend([
             point(
                 "vector",
                 vector,
@@ -90,7 +107,7 @@ impl ShadingMethod for PhongSpec {
             .with_at_most(22),
             point("length_squared", length_squared, Format::unsigned(2, 0), "squared lengths"),
             point("gain", gain, Format::unsigned(4, 0), "1 over a length, saturated"),
-        ];
+        ]);
         if self.places == Places::Wrapped {
             points.push(point(
                 "wrap_operand",
@@ -122,6 +139,7 @@ impl ShadingMethod for PhongSpec {
                 "2v H - w, H = w + (F - P), v = H.w / H.H".to_owned(),
             ));
         }
+        options.extend(self.increments.option());
         options
     }
 

@@ -4,6 +4,7 @@ use specula_scene::needs::LocalKind;
 use super::{Highlight, PhongSpec, Places};
 use crate::core_input::CoreInput;
 use crate::core_input::InputRole::{self, Exponent, Light, Surface};
+use crate::increments::Increments;
 use crate::input_meaning::InputMeaning;
 use crate::inputs::{CoreInputs, MethodInputs, inputs};
 use crate::parameters::CoreParameters;
@@ -14,7 +15,7 @@ inputs! {
     Way {
         /// At the first pixel; H if it is wrapped.
         start: vector,
-        /// What it changes by over the whole span.
+        /// What it changes by: over the whole span, or with each pixel where increments are added.
         delta: vector,
         /// w; there if it is wrapped.
         axis: vector_if_any,
@@ -24,10 +25,11 @@ inputs! {
 inputs! {
     /// Inputs that the lights of a span have in common.
     PhongSpan {
-        /// N0 and N1 - N0.
+        /// N0, and N1 - N0 or a share of that.
         normal: group(Way),
-        /// 1/S, what the weight grows by with each pixel; 0 in a span of one pixel.
-        weight_step: one,
+        /// 1/S, what the weight grows by with each pixel; 0 in a span of one pixel. Not there where
+        /// increments are added.
+        weight_step: one_if_any,
         /// n, or 4n for Blinn's lobe.
         shininess: one,
         /// To the eye; there if that is at a place.
@@ -70,15 +72,12 @@ impl MethodInputs for PhongSpec {
             "the highlight's exponent",
             format!("{factor} times the material's n"),
         );
+        let weight_step =
+            || CoreInput::between(InputMeaning::weight_step(), "weight_step", weight, 0.0, 1.0);
+        let normal = InputMeaning::normal_along_span();
         PhongSpan {
-            normal: self.straight(&InputMeaning::normal_along_span(), "normal"),
-            weight_step: CoreInput::between(
-                InputMeaning::weight_step(),
-                "weight_step",
-                weight,
-                0.0,
-                1.0,
-            ),
+            normal: self.along(("the normal N", normal), "normal", 1.0),
+            weight_step: (self.increments == Increments::Multiplied).then(weight_step),
             shininess: CoreInput::whole_number(exponent, "shininess", largest),
             eye: core.local_eye.then(|| self.way(&TO_EYE, "eye")),
         }
@@ -133,45 +132,45 @@ const TO_LIGHT: Place = Place {
 };
 
 impl PhongSpec {
-    /// A vector that is brought to unit length.
-    fn straight(&self, [start, delta]: &[InputMeaning; 2], name: &str) -> Way<CoreInput> {
-        let (vector, sum) = (self.formats.vector, self.formats.vector_sum());
+    /// The vector called `value` along the span, no longer than `longest`.
+    fn along(
+        &self,
+        (value, [start, delta]): (&str, [InputMeaning; 2]),
+        name: &str,
+        longest: f64,
+    ) -> Way<CoreInput> {
+        let vectors = self.span_vectors();
         Way {
-            start: CoreInput::vector(start, &format!("{name}_start"), vector, 1.0),
-            delta: CoreInput::vector(delta, &format!("{name}_delta"), sum, 2.0),
+            start: vectors.start(&start, &format!("{name}_start"), longest),
+            delta: vectors.change(value, &delta, name),
             axis: None,
         }
     }
 
     /// A vector to a place.
     fn way(&self, place: &Place, name: &str) -> Way<CoreInput> {
-        let (vector, sum) = (self.formats.vector, self.formats.vector_sum());
         match self.places {
             Places::Exact => {
-                let along = InputMeaning::along_span(
+                let meanings = InputMeaning::along_span(
                     place.vector,
                     "from the surface to the place; those of both ends scaled by one factor so \
                      that the longer has length 1",
                 );
-                self.straight(&along, name)
+                self.along((place.vector, meanings), name, 1.0)
             }
             Places::Wrapped => {
-                let [start, delta] = InputMeaning::along_span(
-                    &format!("{}, of unit length, plus w,", place.vector),
-                    "from the surface to the place",
-                );
+                let value = format!("{}, of unit length, plus w,", place.vector);
+                let meanings = InputMeaning::along_span(&value, "from the surface to the place");
                 let axis = InputMeaning::of(
                     place.role,
                     format!("w, what {} is wrapped around", place.vector),
                     place.axis,
                 );
+                let vector = self.formats.vector;
+                let axis = CoreInput::vector(&axis, &format!("{name}_wrap_axis"), vector, 1.0);
                 Way {
-                    start: CoreInput::vector(&start, &format!("{name}_wrap_start"), sum, 2.0),
-                    delta: CoreInput::vector(&delta, &format!("{name}_wrap_delta"), sum, 2.0),
-                    axis: Some(
-                        CoreInput::vector(&axis, &format!("{name}_wrap_axis"), vector, 1.0)
-                            .map(CoreInput::held_for_a_span),
-                    ),
+                    axis: Some(axis.map(CoreInput::held_for_a_span)),
+                    ..self.along((&value, meanings), &format!("{name}_wrap"), 2.0)
                 }
             }
         }

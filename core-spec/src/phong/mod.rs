@@ -11,6 +11,7 @@ use specula_scene::needs::Needs;
 
 use crate::error::SpecError;
 use crate::formats::formats;
+use crate::increments::{Increments, SpanVectors};
 
 pub use inputs::{PhongInputs, PhongLight, PhongSpan, Way};
 
@@ -48,6 +49,9 @@ pub struct PhongSpec {
     pub highlight: Highlight,
     /// How directions to places come about.
     pub places: Places,
+    /// What becomes of the increments of vectors along a span.
+    #[serde(default)]
+    pub increments: Increments,
     /// The narrowing points.
     pub formats: PhongFormats,
 }
@@ -57,10 +61,15 @@ formats! {
     #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
     #[serde(deny_unknown_fields)]
     pub struct PhongFormats {
-        /// Accumulator of the interpolation weight a: `U1.f`. The host rounds the step 1/S into it.
+        /// Accumulator of the interpolation weight a (with increments multiplied only): `U1.f`. The
+        /// host rounds the step 1/S into it.
         pub weight_accumulator: Format,
         /// The weight a, rounded from the accumulator: `U1.f`.
         pub weight: Format,
+        /// Accumulators of the components of vectors along a span (with increments added only):
+        /// `S3.f`. The host rounds start and step into it.
+        #[serde(default = "default_vector_accumulator")]
+        pub vector_accumulator: Format,
         /// Components of normals and of vectors to lights and eye, before and after normalisation:
         /// `S1.f`. Differences over a span have the same fraction bits and one more integer bit.
         pub vector: Format,
@@ -113,10 +122,19 @@ fn wraps_serve(needs: &Needs) -> bool {
     needs.most_off_by_wraps <= MOST_OFF_BY_WRAPS
 }
 
-impl PhongFormats {
-    /// Format of differences over a span: the vector's with one more integer bit.
-    pub fn vector_sum(&self) -> Format {
-        Format::signed(self.vector.integer_bits + 1, self.vector.fraction_bits)
+/// The format of what cores do not have that were made before increments could be added.
+const fn default_vector_accumulator() -> Format {
+    Format::signed(3, 24)
+}
+
+impl PhongSpec {
+    /// Vectors along a span.
+    pub(crate) fn span_vectors(&self) -> SpanVectors {
+        SpanVectors {
+            increments: self.increments,
+            vector: self.formats.vector,
+            accumulator: self.formats.vector_accumulator,
+        }
     }
 }
 

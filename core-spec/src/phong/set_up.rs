@@ -3,7 +3,8 @@ use glam::DVec3;
 use specula_scene::Wrap;
 use specula_scene::frame::{DirectionalLight, EYE, Frame, LocalLight, Span};
 
-use super::{Highlight, PhongFormats, PhongLight, PhongSpan, PhongSpec, Places, Way};
+use super::{Highlight, PhongLight, PhongSpan, PhongSpec, Places, Way};
+use crate::increments::Increments;
 use crate::method_set_up::MethodSetUp;
 
 /// Sets up the spans of a frame.
@@ -23,8 +24,9 @@ impl MethodSetUp for PhongSetUp<'_> {
         let (f, frame) = (&self.phong.formats, self.frame);
         let shininess = frame.material(span).shininess;
         PhongSpan {
-            normal: straight(f, frame.end_normals(span)),
-            weight_step: f.weight_accumulator.quantise(span.weight_step()),
+            normal: self.straight(span, frame.end_normals(span)),
+            weight_step: (self.phong.increments == Increments::Multiplied)
+                .then(|| f.weight_accumulator.quantise(span.weight_step())),
             shininess: i64::from(shininess * self.phong.highlight.exponent_factor()),
             eye: frame.eye.map(|eye| self.to_eye(span, eye)),
         }
@@ -56,10 +58,9 @@ impl PhongSetUp<'_> {
     }
 
     fn to_eye(&self, span: &Span, eye: DVec3) -> Way<i64> {
-        let (f, frame) = (&self.phong.formats, self.frame);
         match self.phong.places {
-            Places::Exact => straight(f, frame.end_vectors_to(span, eye)),
-            Places::Wrapped => wrapped(f, Wrap::to_eye(frame, span, eye)),
+            Places::Exact => self.straight(span, self.frame.end_vectors_to(span, eye)),
+            Places::Wrapped => self.wrapped(span, Wrap::to_eye(self.frame, span, eye)),
         }
     }
 
@@ -69,8 +70,8 @@ impl PhongSetUp<'_> {
         PhongLight {
             direction: None,
             way: Some(match self.phong.places {
-                Places::Exact => straight(f, frame.end_vectors_to(span, light.position)),
-                Places::Wrapped => wrapped(f, Wrap::to_light(frame, span, light)),
+                Places::Exact => self.straight(span, frame.end_vectors_to(span, light.position)),
+                Places::Wrapped => self.wrapped(span, Wrap::to_light(frame, span, light)),
             }),
             axis: light
                 .spot
@@ -82,20 +83,18 @@ impl PhongSetUp<'_> {
             halfway_gain: None,
         }
     }
-}
 
-/// A vector along the span, by its values at the ends.
-fn straight(formats: &PhongFormats, ends: [DVec3; 2]) -> Way<i64> {
-    let [start, end] = ends.map(|v| formats.vector.quantise_vector(v));
-    Way { start, delta: std::array::from_fn(|i| end[i] - start[i]), axis: None }
-}
+    /// A vector along the span, by its values at the ends.
+    fn straight(&self, span: &Span, ends: [DVec3; 2]) -> Way<i64> {
+        let [start, delta] = self.phong.span_vectors().quantised(span, ends);
+        Way { start, delta, axis: None }
+    }
 
-/// H along the span, and what it is wrapped around.
-fn wrapped(formats: &PhongFormats, Wrap { ends, axis }: Wrap) -> Way<i64> {
-    let [start, end] = ends.map(|v| formats.vector_sum().quantise_vector(v + axis));
-    Way {
-        start,
-        delta: std::array::from_fn(|i| end[i] - start[i]),
-        axis: Some(formats.vector.quantise_vector(axis)),
+    /// H along the span, and what it is wrapped around.
+    fn wrapped(&self, span: &Span, Wrap { ends, axis }: Wrap) -> Way<i64> {
+        Way {
+            axis: Some(self.phong.formats.vector.quantise_vector(axis)),
+            ..self.straight(span, ends.map(|end| end + axis))
+        }
     }
 }

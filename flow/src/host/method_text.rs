@@ -69,6 +69,7 @@ fn method(spec: &CoreSpec) -> (&'static str, Values) {
     let mut values = Values::default();
     values.set("EXPONENT_FACTOR", 1);
     values.flag("dark_opposite", false);
+    values.flag("wrapped", false);
     let power = |values: &mut Values, unit: PowerUnit| {
         values.set("EXPONENT_FACTOR", 1 << unit.log2_factor);
     };

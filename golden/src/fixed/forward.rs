@@ -6,6 +6,7 @@ use specula_spec::{Format, Linear, Quadratic};
 use super::number::Wide;
 use super::observer::{Observer, narrow};
 use super::span_extent::quadratic_at;
+use super::vector::{AXES, Vector};
 
 /// Formats of an accumulator and of what is rounded from it.
 #[derive(Clone, Copy)]
@@ -28,6 +29,20 @@ impl Accumulator {
             format_args!("{name}"),
             linear.start + linear.step * Wide::from_num(i),
         )
+    }
+
+    /// start + step · i of each component, rounded.
+    pub fn vector(
+        self,
+        observer: &mut impl Observer,
+        name: impl fmt::Display,
+        [start, step]: [&Vector; 2],
+        i: u32,
+    ) -> Vector {
+        std::array::from_fn(|c| {
+            let component = Linear { start: start[c], step: step[c] };
+            self.linear(observer, format_args!("{name}_{}", AXES[c]), &component, i)
+        })
     }
 
     /// start + first · i + second · i(i - 1)/2, rounded.

@@ -8,6 +8,7 @@ use specula_spec::ways::{VectorLight, VectorWay};
 use specula_spec::{CoreParameters, Format};
 
 use super::error::PacketError;
+use super::forward::Accumulator;
 use super::highlight::limited_quotient;
 use super::method::{Intensities, Method};
 use super::number::Wide;
@@ -15,6 +16,7 @@ use super::observer::{Observer, narrow, narrow_vector};
 use super::packet;
 use super::root::reciprocal_square_root;
 use super::span_extent::SpanExtent;
+use super::span_vectors::SpanVectors;
 use super::spot::spotted;
 use super::vector::{Vector, dot, truncated_cross, truncated_dot};
 use super::vector_ways::VectorWays;
@@ -39,6 +41,7 @@ pub(super) struct Lyon {
     /// h of the root shape.
     root_shift: u32,
     halfway: Halfway,
+    normals: SpanVectors,
     ways: VectorWays,
     formats: LyonFormats,
 }
@@ -54,6 +57,15 @@ impl Lyon {
             odd_power: lyon.odd_power,
             root_shift: lyon.root_shift(),
             halfway: lyon.halfway,
+            normals: SpanVectors {
+                increments: lyon.increments,
+                weight_accumulator: lyon.formats.weight_accumulator,
+                weight: lyon.formats.weight,
+                components: Accumulator {
+                    exact: lyon.formats.normal_accumulator,
+                    rounded: lyon.formats.vector,
+                },
+            },
             ways: VectorWays::new(
                 core,
                 lyon.formats.way_accumulator,
@@ -118,11 +130,22 @@ impl Method for Lyon {
         let eye = span.eye.as_ref();
         eye.map_or(Ok(()), |eye| self.ways.check_way(format_args!("eye"), eye, extent))?;
         // H of normals wrapped around a fixed vector is the sum of two unit vectors.
-        let longest =
-            if span.wrap_axis.is_some() && span.wrap_follows.is_none() { TWO } else { Wide::ONE };
-        let ends = (&span.normal_start, &span.normal_delta.unwrap_or_default());
-        packet::check_ends(format_args!("normal"), ends, longest, self.formats.vector)?;
-        extent.weight(span.weight_step.unwrap_or_default(), self.formats.weight_accumulator)
+        let longest = if span.wrap_axis.is_some() && span.wrap_follows.is_none() { 2 } else { 1 };
+        let start = &span.normal_start;
+        match &span.normal_delta {
+            Some(delta) => {
+                self.normals.check(format_args!("normal"), [start, delta], longest, extent)?;
+            }
+            None => {
+                packet::check_length(
+                    format_args!("normal"),
+                    start,
+                    Wide::ONE,
+                    self.formats.vector,
+                )?;
+            }
+        }
+        self.normals.check_weight(span.weight_step, extent)
     }
 
     /// n, wrapped around that of the pixel before, or around the axis (methods C7).
@@ -278,20 +301,16 @@ impl Lyon {
         (self.normalisation, self.newton_steps)
     }
 
-    /// N' = N0 + a (N1 - N0); none of flat normals.
+    /// N' = N0 + a (N1 - N0), or that by additions; none of flat normals.
     fn interpolated(
         &self,
         span: &LyonSpan<Wide>,
         i: u32,
         observer: &mut impl Observer,
     ) -> Option<Vector> {
-        let f = &self.formats;
-        let (delta, weight_step) = (span.normal_delta?, span.weight_step?);
-        let accumulated = Wide::from_num(i) * weight_step;
-        observer.see(format_args!("weight_accumulator"), accumulated, f.weight_accumulator);
-        let weight = narrow(observer, format_args!("weight"), accumulated, f.weight);
-        let lerp: Vector = std::array::from_fn(|c| span.normal_start[c] + weight * delta[c]);
-        Some(narrow_vector(observer, "interpolated", lerp, f.vector))
+        let delta = span.normal_delta?;
+        let on_span = self.normals.pixel(observer, i, span.weight_step);
+        Some(self.normals.at(observer, "interpolated", [&span.normal_start, &delta], on_span))
     }
 
     /// n = N' + u H with H = N' + b and u = (1 - z)/H·H, clamped to 0 to 1: 2H (H·b)/(H·H) - b for

@@ -26,6 +26,7 @@ mod root;
 mod shader;
 mod slerp;
 mod span_extent;
+mod span_vectors;
 mod spot;
 mod vector;
 mod vector_ways;

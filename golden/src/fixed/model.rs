@@ -80,7 +80,7 @@ impl Model {
     /// | `docs/arithmetic.md` | name |
     /// |---|---|
     /// | a_acc, a | `weight_accumulator`, `weight` |
-    /// | N' | `interpolated_x`, `_y`, `_z` |
+    /// | N' | `interpolated_x`, `_y`, `_z`; by additions, before it is rounded: `interpolated_x_accumulator` |
     /// | H, p, q, v of wrapped normals | `interpolated_x`, `wrap_p`, `wrap_q`, `wrap_ratio` |
     /// | H, p, q, v of wrapped directions | `light<l>_way_interpolated_x`, `light<l>_way_wrap_p`, `_q`, `_ratio`; of the eye with `eye_` |
     /// | z, g | `length_squared`, `gain` |

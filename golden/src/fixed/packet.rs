@@ -29,7 +29,15 @@ pub(super) fn check_length(
     longest: Wide,
     format: Format,
 ) -> Result<(), PacketError> {
-    let longest = longest + (Wide::ONE >> format.fraction_bits);
+    check_no_longer(name, vector, longest + (Wide::ONE >> format.fraction_bits))
+}
+
+/// Whether a vector is no longer than `longest`.
+pub(super) fn check_no_longer(
+    name: fmt::Arguments<'_>,
+    vector: &Vector,
+    longest: Wide,
+) -> Result<(), PacketError> {
     let squared = dot(vector, vector);
     if squared <= longest * longest {
         return Ok(());

@@ -8,6 +8,7 @@ use specula_spec::phong::{
 use specula_spec::{CoreParameters, Format};
 
 use super::error::PacketError;
+use super::forward::Accumulator;
 use super::gaussian::Gaussian;
 use super::method::{Intensities, Method};
 use super::number::{Wide, round_quotient, round_to};
@@ -16,6 +17,7 @@ use super::packet;
 use super::power::Power;
 use super::root::reciprocal_square_root;
 use super::span_extent::SpanExtent;
+use super::span_vectors::{SpanPixel, SpanVectors};
 use super::vector::{Vector, dot};
 use super::wrapped::{WrapFormats, Wrapped, wrapped};
 
@@ -26,6 +28,7 @@ const EYE: Vector = [Wide::ZERO, Wide::ZERO, Wide::ONE];
 pub(super) struct Phong {
     highlight: Highlight,
     formats: PhongFormats,
+    vectors: SpanVectors,
     power: Power,
     gaussian: Gaussian,
     /// Of all spots.
@@ -57,7 +60,7 @@ impl Unit {
 
 /// What the lights have in common at one pixel.
 pub(super) struct Pixel {
-    weight: Wide,
+    on_span: SpanPixel,
     normal: Option<Vector>,
     view: Option<Vector>,
     n_dot_v: Wide,
@@ -80,11 +83,12 @@ impl Phong {
         &self,
         name: fmt::Arguments<'_>,
         way: Option<&Way<Wide>>,
+        extent: SpanExtent,
     ) -> Result<(), PacketError> {
         let Some(way) = way else { return Ok(()) };
         self.check_unit(format_args!("{name}_wrap_axis"), way.axis.as_ref())?;
-        let longest = if way.axis.is_some() { Wide::lit("2") } else { Wide::ONE };
-        packet::check_ends(name, (&way.start, &way.delta), longest, self.formats.vector)
+        let longest = if way.axis.is_some() { 2 } else { 1 };
+        self.vectors.check(name, [&way.start, &way.delta], longest, extent)
     }
 
     fn check_unit(
@@ -106,6 +110,15 @@ impl Phong {
             gaussian: Gaussian::new(formats.shape.fraction_bits),
             power: power(core.largest_shininess * phong.highlight.exponent_factor()),
             spot_power: power(core.largest_spot_exponent()),
+            vectors: SpanVectors {
+                increments: phong.increments,
+                weight_accumulator: formats.weight_accumulator,
+                weight: formats.weight,
+                components: Accumulator {
+                    exact: formats.vector_accumulator,
+                    rounded: formats.vector,
+                },
+            },
             formats,
         }
     }
@@ -124,28 +137,25 @@ impl Method for Phong {
     /// Interpolated vectors stay within the unit ball, but for rounding; sums of two of them within
     /// twice as much.
     fn check(&self, inputs: &PhongInputs<Wide>, extent: SpanExtent) -> Result<(), PacketError> {
-        self.check_way(format_args!("normal"), Some(&inputs.span.normal))?;
-        self.check_way(format_args!("eye"), inputs.span.eye.as_ref())?;
+        self.check_way(format_args!("normal"), Some(&inputs.span.normal), extent)?;
+        self.check_way(format_args!("eye"), inputs.span.eye.as_ref(), extent)?;
         for (i, light) in inputs.lights.iter().map(|inputs| &inputs.light).enumerate() {
-            self.check_way(format_args!("light{i}_way"), light.way.as_ref())?;
+            self.check_way(format_args!("light{i}_way"), light.way.as_ref(), extent)?;
             self.check_unit(format_args!("light{i}_direction"), light.direction.as_ref())?;
             self.check_unit(format_args!("light{i}_axis"), light.axis.as_ref())?;
         }
-        extent.weight(inputs.span.weight_step, self.formats.weight_accumulator)
+        self.vectors.check_weight(inputs.span.weight_step, extent)
     }
 
     fn pixel(&self, span: &PhongSpan<Wide>, (): (), i: u32, observer: &mut impl Observer) -> Pixel {
-        let f = &self.formats;
-        let accumulated = Wide::from_num(i) * span.weight_step;
-        observer.see(format_args!("weight_accumulator"), accumulated, f.weight_accumulator);
-        let weight = narrow(observer, format_args!("weight"), accumulated, f.weight);
-        let normal = self.along("normal", &span.normal, weight, observer).map(|unit| unit.vector);
+        let on_span = self.vectors.pixel(observer, i, span.weight_step);
+        let normal = self.along("normal", &span.normal, on_span, observer).map(|unit| unit.vector);
         let view = match &span.eye {
-            Some(eye) => self.along("eye", eye, weight, observer).map(|unit| unit.vector),
+            Some(eye) => self.along("eye", eye, on_span, observer).map(|unit| unit.vector),
             None => Some(EYE),
         };
         let n_dot_v = self.cosine("n_dot_v", normal, view, observer);
-        Pixel { weight, normal, view, n_dot_v, shininess: span.shininess }
+        Pixel { on_span, normal, view, n_dot_v, shininess: span.shininess }
     }
 
     fn light(
@@ -154,8 +164,8 @@ impl Method for Phong {
         light: &PhongLight<Wide>,
         observer: &mut impl Observer,
     ) -> Intensities<Wide> {
-        let &Pixel { weight, normal, view, n_dot_v, shininess } = pixel;
-        let direction = self.direction(light, weight, observer);
+        let &Pixel { on_span, normal, view, n_dot_v, shininess } = pixel;
+        let direction = self.direction(light, on_span, observer);
         let n_dot_l = self.cosine("n_dot_l", normal, direction.map(|unit| unit.vector), observer);
         let arrival = |direction| Arrival { light, direction, view, n_dot_l, n_dot_v, shininess };
         match (normal, direction.map(arrival)) {
@@ -171,11 +181,11 @@ impl Phong {
     fn direction(
         &self,
         light: &PhongLight<Wide>,
-        weight: Wide,
+        on_span: SpanPixel,
         observer: &mut impl Observer,
     ) -> Option<Unit> {
         let direction = match (&light.way, light.direction) {
-            (Some(way), _) => self.along("way", way, weight, observer),
+            (Some(way), _) => self.along("way", way, on_span, observer),
             (None, direction) => direction.map(Unit::straight),
         };
         direction.filter(|unit| {
@@ -188,12 +198,16 @@ impl Phong {
         &self,
         name: &str,
         way: &Way<Wide>,
-        weight: Wide,
+        on_span: SpanPixel,
         observer: &mut impl Observer,
     ) -> Option<Unit> {
         let f = &self.formats;
-        let lerp: Vector = std::array::from_fn(|c| way.start[c] + weight * way.delta[c]);
-        let vector = narrow_vector(observer, format_args!("{name}_interpolated"), lerp, f.vector);
+        let vector = self.vectors.at(
+            observer,
+            format_args!("{name}_interpolated"),
+            [&way.start, &way.delta],
+            on_span,
+        );
         if let Some(axis) = &way.axis {
             let formats =
                 WrapFormats { operand: f.wrap_operand, ratio: f.wrap_ratio, vector: f.vector };

@@ -6,6 +6,8 @@ use specula_spec::{Format, Linear, Quadratic};
 
 use super::error::PacketError;
 use super::number::Wide;
+use super::packet;
+use super::vector::{AXES, Vector};
 
 /// What f64 may add to a value that the host rounds: 2^-48.
 const HOST_ERROR: Wide = Wide::from_bits(1 << (Wide::FRAC_NBITS - 48));
@@ -38,6 +40,28 @@ impl SpanExtent {
     ) -> Result<(), PacketError> {
         let slack = half_units(u64::from(self.longest), format) + HOST_ERROR;
         self.check(name, Limits::around(limits, slack), self.ends(), |i| linear_at(linear, i))
+    }
+
+    /// A vector start + step i no longer than `longest`, its components as in
+    /// [`SpanExtent::linear`], and so off by √3/2 units for each of S + 1 as a whole.
+    pub fn vector(
+        self,
+        name: fmt::Arguments<'_>,
+        [start, step]: [&Vector; 2],
+        format: Format,
+        longest: i32,
+    ) -> Result<(), PacketError> {
+        let components: [_; 3] = std::array::from_fn(|c| Linear { start: start[c], step: step[c] });
+        for (axis, component) in AXES.iter().zip(&components) {
+            let limits = (-longest, longest);
+            self.linear(format_args!("{name}_{axis}"), component, format, limits)?;
+        }
+        let off = half_units(2 * u64::from(self.longest), format) + 2 * HOST_ERROR;
+        ["first", "last"].into_iter().zip(self.ends()).try_for_each(|(which, i)| {
+            let vector = std::array::from_fn(|c| linear_at(&components[c], i));
+            let longest = Wide::from_num(longest) + off;
+            packet::check_no_longer(format_args!("{name} at the {which} pixel"), &vector, longest)
+        })
     }
 
     /// start + first i + second i(i - 1)/2 within `limits`, all three rounded to nearest into

@@ -47,9 +47,8 @@ impl VectorWays {
         way: &VectorWay<Wide>,
         extent: SpanExtent,
     ) -> Result<(), PacketError> {
-        [&way.x, &way.y, &way.z].into_iter().try_for_each(|component| {
-            extent.linear(name, component, self.accumulator.exact, (-1, 1))
-        })
+        let [start, step] = &way.start_and_step();
+        extent.vector(name, [start, step], self.accumulator.exact, 1)
     }
 
     /// A way at pixel i.
@@ -60,9 +59,8 @@ impl VectorWays {
         way: &VectorWay<Wide>,
         i: u32,
     ) -> Vector {
-        [("x", &way.x), ("y", &way.y), ("z", &way.z)].map(|(axis, component)| {
-            self.accumulator.linear(observer, format_args!("{name}_{axis}"), component, i)
-        })
+        let [start, step] = &way.start_and_step();
+        self.accumulator.vector(observer, name, [start, step], i)
     }
 
     /// The share of a spot in the direction `l`: max(S·L, 0)^p with S against its axis.

@@ -1,9 +1,9 @@
 //! Lengths of spans, and packets that are not a core's.
 use glam::DVec3;
 use specula_fixtures::frames::{frame, material, mirror, tilted};
-use specula_fixtures::specs::{packet, spec};
+use specula_fixtures::specs::{packet, spec, spec_with};
 use specula_golden::fixed::{Model, PacketError};
-use specula_spec::{Method, SpanPacket};
+use specula_spec::{CoreSpec, Method, SpanPacket};
 
 use crate::{assert_within_one_code, codes};
 
@@ -86,25 +86,33 @@ fn foreign_packets_are_refused() {
 #[test]
 fn packets_past_the_unit_ball_are_refused() {
     let frame = frame([DVec3::Z; 2], 8, &[DVec3::Z], mirror(16));
-    let core = spec(&frame, Method::Lyon);
-    let with_high = |names: [&str; 3]| {
-        let mut packet = packet(&core, &frame);
+    let cores = ["multiplied", "added"]
+        .map(|increments| spec_with(&frame, Method::Lyon, &format!("increments = {increments:?}")));
+    let with_high = |core: &CoreSpec, names: [&str; 3]| {
+        let mut packet = packet(core, &frame);
         for (raw, port) in packet.inputs.iter_mut().zip(core.inputs()) {
             *raw = if names.contains(&port.name.as_str()) { port.range.1 } else { *raw };
         }
-        Model::new(&core).shade(&packet, &mut Vec::new())
+        Model::new(core).shade(&packet, &mut Vec::new())
     };
-    for (high, long) in [
-        (["normal_start_x", "normal_start_y", ""], "normal at the first pixel"),
-        (["normal_delta_x", "", ""], "normal at the last pixel"),
+    let [multiplied, added] = &cores;
+    for (core, high, long) in [
+        (multiplied, ["normal_start_x", "normal_start_y", ""], "normal at the first pixel"),
+        (multiplied, ["normal_delta_x", "", ""], "normal at the last pixel"),
+        (added, ["normal_start_x", "normal_start_y", ""], "normal at the first pixel"),
     ] {
-        let refused = with_high(high);
+        let refused = with_high(core, high);
         assert!(
             matches!(&refused, Err(PacketError::LongVector { name, .. }) if name == long),
             "{refused:?}"
         );
     }
-    let weight = with_high(["weight_step", "", ""]);
+    let step = with_high(added, ["normal_step_x", "", ""]);
+    assert!(
+        matches!(&step, Err(PacketError::Outgrown { name, pixel: 7, value: 14.0, .. }) if name == "normal_x"),
+        "{step:?}"
+    );
+    let weight = with_high(multiplied, ["weight_step", "", ""]);
     assert!(
         matches!(weight, Err(PacketError::Outgrown { pixel: 7, value: 7.0, .. })),
         "{weight:?}"

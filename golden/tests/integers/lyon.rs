@@ -2,6 +2,7 @@
 use specula_spec::LyonSpec;
 use specula_spec::lyon::{Difference, Normalisation, Normals, ShapeDatapath};
 
+use crate::along;
 use crate::raw::{Raw, round};
 
 pub fn code(spec: &LyonSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
@@ -31,21 +32,11 @@ fn normal(spec: &LyonSpec, raw: &Raw, i: u32) -> ([i128; 3], bool) {
         let n = raw.vector("normal");
         return (n, n != [0; 3]);
     }
-    let (v, w, zf, gf) = (
-        f.vector.fraction_bits,
-        f.weight.fraction_bits,
-        f.length_squared.fraction_bits,
-        f.gain.fraction_bits,
-    );
-    let (start, delta) = (
-        raw.vector(if raw.has("wrap_start_x") { "wrap_start" } else { "normal_start" }),
-        raw.vector("normal_delta"),
-    );
-    let interpolated = |i: u32| {
-        let a =
-            round(i128::from(i) * raw.get("weight_step"), f.weight_accumulator.fraction_bits, w);
-        [0, 1, 2].map(|c| round((start[c] << w) + a * delta[c], v + w, v))
-    };
+    let (v, zf, gf) =
+        (f.vector.fraction_bits, f.length_squared.fraction_bits, f.gain.fraction_bits);
+    let start = if raw.has("wrap_start_x") { "wrap_start" } else { "normal_start" };
+    let formats = [f.weight_accumulator, f.weight, f.normal_accumulator, f.vector];
+    let interpolated = |i: u32| along::vector(raw, [start, "normal"], i, formats);
     let lerp = interpolated(i);
     if raw.has("wrap_follows") {
         let axis = raw.vector("wrap_axis");

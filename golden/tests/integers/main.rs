@@ -13,6 +13,7 @@ use specula_scene::{Frame, LocalLight, Needs, Spot};
 use specula_spec::ways::Places;
 use specula_spec::{CoreSpec, Method, MethodSpec, SpanPacket};
 
+mod along;
 mod consistent;
 mod direct;
 mod duff;

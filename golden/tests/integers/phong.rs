@@ -3,7 +3,7 @@ use specula_spec::PhongSpec;
 use specula_spec::phong::Highlight;
 
 use crate::raw::{Raw, round};
-use crate::{gaussian, power};
+use crate::{along as span, gaussian, power};
 
 /// A unit vector, if it has a direction.
 type Direction = Option<[i128; 3]>;
@@ -57,14 +57,18 @@ fn along(
         return wrapped(spec, raw, name, i);
     }
     let f = &spec.formats;
-    let (v, w, g) = (f.vector.fraction_bits, f.weight.fraction_bits, f.gain.fraction_bits);
-    let a = round(i128::from(i) * raw.get("weight_step"), f.weight_accumulator.fraction_bits, w);
-    let (start, delta) =
-        (raw.vector(&format!("{name}_start")), raw.vector(&format!("{name}_delta")));
-    let lerp = [0, 1, 2].map(|c| round((start[c] << w) + a * delta[c], v + w, v));
+    let (v, g) = (f.vector.fraction_bits, f.gain.fraction_bits);
+    let lerp = on_span(spec, raw, name, i);
     let z = round(dot(lerp, lerp), 2 * v, f.length_squared.fraction_bits);
     let r = reciprocal_root(z, f.length_squared.fraction_bits, g);
     (z > 0).then(|| (lerp.map(|c| round(r * c, g + v, v)), None))
+}
+
+/// The vector before it is made a direction.
+fn on_span(spec: &PhongSpec, raw: &Raw, name: &str, i: u32) -> [i128; 3] {
+    let f = &spec.formats;
+    let formats = [f.weight_accumulator, f.weight, f.vector_accumulator, f.vector];
+    span::vector(raw, [&format!("{name}_start"), name], i, formats)
 }
 
 fn wrapped(
@@ -74,16 +78,10 @@ fn wrapped(
     i: u32,
 ) -> Option<([i128; 3], Option<[i128; 2]>)> {
     let f = &spec.formats;
-    let (v, w, o, r) = (
-        f.vector.fraction_bits,
-        f.weight.fraction_bits,
-        f.wrap_operand.fraction_bits,
-        f.wrap_ratio.fraction_bits,
-    );
-    let a = round(i128::from(i) * raw.get("weight_step"), f.weight_accumulator.fraction_bits, w);
-    let port = |part: &str| raw.vector(&format!("{name}_wrap_{part}"));
-    let (start, delta, axis) = (port("start"), port("delta"), port("axis"));
-    let h = [0, 1, 2].map(|c| round((start[c] << w) + a * delta[c], v + w, v));
+    let (v, o, r) =
+        (f.vector.fraction_bits, f.wrap_operand.fraction_bits, f.wrap_ratio.fraction_bits);
+    let axis = raw.vector(&format!("{name}_wrap_axis"));
+    let h = on_span(spec, raw, &format!("{name}_wrap"), i);
     let (p, q) = (round(dot(h, axis), 2 * v, o), round(dot(h, h), 2 * v, o));
     let ratio =
         if p <= 0 || q <= 0 { 0 } else { (((p << (r + 1)) + q).div_euclid(2 * q)).min(1 << r) };

@@ -24,10 +24,10 @@ pub(super) fn core(
     let slots = time_slots(&b, parameters);
     let mut inputs = ports.map(|port| b.input(port));
     alike(&b, &slots, &mut inputs.lights, |light| light.way.as_mut());
-    let (n, has_direction) = normal(&b, &slots.first_pixel, &inputs.span, parameters, lyon);
+    let forward = Forward { b: &b, first: &slots.first_pixel, steps: parameters.longest_span - 1 };
+    let (n, has_direction) = normal(forward, &inputs.span, parameters, lyon);
     let apart = if slots.count() == 1 { least_distance(&inputs.lights) } else { 0.0 };
     let formats = &lyon.formats;
-    let forward = Forward { b: &b, first: &slots.first_pixel, steps: parameters.longest_span - 1 };
     let ways = VectorWays::new(
         forward,
         parameters,
@@ -52,21 +52,24 @@ pub(super) fn core(
 
 /// n at each pixel, and whether it has a direction.
 fn normal(
-    b: &Builder,
-    first: &Sig,
+    forward: Forward,
     inputs: &LyonSpan<Sig>,
     parameters: &CoreParameters,
     lyon: &LyonSpec,
 ) -> (Vector, Sig) {
-    let formats = &lyon.formats;
+    let (Forward { b, first, steps }, formats) = (forward, &lyon.formats);
     let unit = |components| unit_vector(components, formats.vector);
-    let (Some(delta), Some(weight_step)) = (&inputs.normal_delta, &inputs.weight_step) else {
+    let Some(delta) = &inputs.normal_delta else {
         let n = unit(&inputs.normal_start);
         let has_direction = units::has_direction(b, &n);
         return (n, has_direction);
     };
-    let (start, delta) = (Vector::new(inputs.normal_start.clone()), Vector::new(delta.clone()));
     let along = |longest| {
+        let Some(weight_step) = &inputs.weight_step else {
+            let sent = [&inputs.normal_start, delta];
+            return forward.vector("interpolated", sent, longest, formats.vector);
+        };
+        let (start, delta) = (Vector::new(inputs.normal_start.clone()), Vector::new(delta.clone()));
         let span = SpanNormals { first, start: &start, delta: &delta, weight_step };
         let &LyonFormats { weight_accumulator: accumulator, weight, vector, .. } = formats;
         units::interpolate(
@@ -78,7 +81,7 @@ fn normal(
                 vector,
                 longest,
                 apart: error::interpolate::chord(parameters.shortest_normal),
-                steps: parameters.longest_span - 1,
+                steps,
             },
         )
     };

@@ -6,7 +6,6 @@ use super::common::{Intensities, unit_vector};
 use super::forward::Forward;
 use super::spot::{self, Share};
 use super::ways::SHORTEST_WAY;
-use crate::error;
 use crate::units;
 use specula_datapath::builder::{Builder, Sig, TimeSlots, Vector};
 
@@ -39,13 +38,9 @@ impl<'a> VectorWays<'a> {
 
     /// A way at the pixel, no longer than 1 but for what its components are off by.
     pub fn way(&self, name: &str, way: &VectorWay<Sig>) -> Vector {
-        let bits = self.vector.fraction_bits;
-        let components = [("x", &way.x), ("y", &way.y), ("z", &way.z)].map(|(axis, component)| {
-            self.forward.linear(&format!("{name}_{axis}"), component, bits)
-        });
-        let off = error::linear::bound(self.forward.steps, way.x.start.ulp()) + self.vector.ulp();
-        Vector::new(components)
-            .no_longer_than(1.0 + 3f64.sqrt() * off)
+        let [start, step] = &way.start_and_step();
+        self.forward
+            .vector(name, [start, step], 1.0, self.vector)
             .no_shorter_than(self.parameters.shortest_way, SHORTEST_WAY)
     }
 

@@ -129,6 +129,7 @@ mod tests {
         LyonFormats {
             weight_accumulator: any,
             weight: any,
+            normal_accumulator: any,
             vector: any,
             wrap_operand: any,
             wrap_ratio: Format::unsigned(1, 13),

@@ -59,14 +59,24 @@ fn quadratics_are_exact() {
 /// x0 + i d, bit for bit, from one end to the other.
 #[test]
 fn linear_values_are_exact() {
-    let format = Format::signed(1, 40);
-    let one = 1i64 << 40;
+    linear_values_up_to(1);
+    linear_values_up_to(2);
+}
+
+fn linear_values_up_to(limit: i64) {
+    let format = Format::signed(3, 40);
+    let one = limit << 40;
     let bench = Bench::new();
     let (start, step) = (
         bench.input("value_start", format, (-one, one)),
         bench.input("step", format, (-2 * one, 2 * one)),
     );
-    let x = units::linear(&bench.b, &bench.start, Steps { start: &start, step: &step }, STEPS);
+    let x = units::linear(
+        &bench.b,
+        &bench.start,
+        Steps { start: &start, step: &step, limit: limit as f64 },
+        STEPS,
+    );
     let design = bench.finish(&[("x", x)]);
     let rising = |steps: u32, number: usize| {
         let from = if number.is_multiple_of(2) { one } else { -one };

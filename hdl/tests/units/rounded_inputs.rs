@@ -80,8 +80,12 @@ fn what_grows_by_a_step_that_was_rounded_to_0_is_off_by_every_step() {
         let (start, step) = (bench.input("start", FORMAT, start), bench.always("step", 0));
         let grown = Sig::accumulated(&bench.start, &start, &step, (-20.0, 20.0), steps, "it stays");
         assert_eq!(grown.error(), 0.5 * (1.0 + s));
-        let linear =
-            units::linear(&bench.b, &bench.start, Steps { start: &start, step: &step }, steps);
+        let linear = units::linear(
+            &bench.b,
+            &bench.start,
+            Steps { start: &start, step: &step, limit: 1.0 },
+            steps,
+        );
         assert!((linear.error() - 0.5 * (1.0 + s)).abs() < 1e-9);
         let of = Differences {
             start: &start,

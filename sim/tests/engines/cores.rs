@@ -4,7 +4,7 @@ use specula_fixtures::{each_method, few_spans};
 use specula_scene::Frame;
 use specula_sim::{Effort, Engine, Icarus, RustHdl, Stimulus, Verilator};
 use specula_spec::phong::Places;
-use specula_spec::{CoreSpec, LightPipelines, Method, MethodSpec};
+use specula_spec::{CoreSpec, Increments, LightPipelines, Method, MethodSpec};
 
 use crate::agreement;
 use crate::installed::{if_installed, verilator};
@@ -59,8 +59,9 @@ fn directs_outputs_agree_with_newtons_root() {
 }
 
 #[test]
-fn lyons_outputs_agree_with_normals_that_follow() {
-    options_agree(Method::Lyon, "normals = \"wrapped\"\naxis = \"previous\"");
+fn lyons_outputs_agree_with_normals_that_follow_and_go_along_by_additions() {
+    let options = "normals = \"wrapped\"\naxis = \"previous\"\nincrements = \"added\"";
+    options_agree(Method::Lyon, options);
 }
 
 #[test]
@@ -95,7 +96,7 @@ fn outputs_with_lights_and_an_eye_at_places_agree(method: Method) {
 each_method!(outputs_with_lights_and_an_eye_at_places_agree);
 
 /// Lights that take turns: quadratics, rotations, and lights of all kinds with an eye at a place,
-/// wrapped or not.
+/// wrapped by additions or not.
 #[test]
 fn shared_pipelines_outputs_agree() {
     let mut frame = few_spans::frame(1968, 3, 7);
@@ -106,7 +107,7 @@ fn shared_pipelines_outputs_agree() {
     let exact = shared(spec(&frame, Method::Phong));
     let mut wrapped = exact.clone();
     if let MethodSpec::Phong(phong) = &mut wrapped.method {
-        phong.places = Places::Wrapped;
+        (phong.places, phong.increments) = (Places::Wrapped, Increments::Added);
     }
     outputs_of_agree(&exact, &frame);
     outputs_of_agree(&wrapped, &frame);

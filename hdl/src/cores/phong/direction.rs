@@ -100,11 +100,12 @@ impl Pixel<'_> {
     }
 
     fn interpolated(&self, name: &str, way: &Way<Sig>, to: Interpolation) -> Vector {
-        let b = self.b;
+        let (b, along) = (self.b, format!("{name}_along"));
+        let Some(weight) = &self.weight else {
+            return self.forward.vector(&along, [&way.start, &way.delta], to.longest, to.vector);
+        };
         let (start, delta) = (Vector::new(way.start.clone()), Vector::new(way.delta.clone()));
-        b.instance(&format!("{name}_along"), || {
-            units::vector_between(b, &start, &delta, self.weight, to)
-        })
+        b.instance(&along, || units::vector_between(b, &start, &delta, weight, to))
     }
 
     pub(super) fn reciprocal(&self) -> ReciprocalRoot {

@@ -6,6 +6,7 @@ use specula_spec::phong::{Highlight, PhongInputs, PhongLight, PhongSpec, Places}
 use specula_spec::{CoreInputs, CoreParameters, InputPort};
 
 use super::common::{Intensities, eye, finish, time_slots, unit_vector};
+use super::forward::Forward;
 use crate::error;
 use crate::units::{self, HalfwayGain, Interpolation};
 use specula_datapath::builder::{BuildError, Builder, Sig, TimeSlots};
@@ -33,13 +34,14 @@ pub(super) fn core(
         apart: error::interpolate::chord(parameters.shortest_normal.min(parameters.shortest_way)),
         steps: parameters.longest_span - 1,
     };
-    let weight = units::weight(&b, &slots.first_pixel, &inputs.span.weight_step, interpolation);
+    let step = inputs.span.weight_step.as_ref();
     let pixel = Pixel {
         b: &b,
         parameters,
         phong,
         interpolation,
-        weight: &weight,
+        weight: step.map(|step| units::weight(&b, &slots.first_pixel, step, interpolation)),
+        forward: Forward { b: &b, first: &slots.first_pixel, steps: parameters.longest_span - 1 },
         shininess: &inputs.span.shininess,
     };
     pixel.finish(&slots, &inputs)
@@ -51,7 +53,9 @@ struct Pixel<'a> {
     parameters: &'a CoreParameters,
     phong: &'a PhongSpec,
     interpolation: Interpolation,
-    weight: &'a Sig,
+    /// a, where increments are multiplied.
+    weight: Option<Sig>,
+    forward: Forward<'a>,
     shininess: &'a Sig,
 }
 
