@@ -14,6 +14,7 @@ mod paper;
 pub mod project;
 pub mod reshetov;
 mod span_core;
+mod stepped;
 
 use claim::Claim;
 pub use claim::{ClaimVerdict, Ground, Ruling};
