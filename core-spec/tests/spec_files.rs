@@ -48,8 +48,7 @@ fn options_of_the_host_may_be_absent() {
         let file = SpecFile { name: "teapot".to_owned(), spec: core("teapot", Some(method)) };
         let text = file.text();
         let is_kept = |line: &&str| !keys.iter().any(|key| line.starts_with(key));
-        let before: String =
-            text.lines().filter(is_kept).flat_map(|line| [line, "\n"]).collect();
+        let before: String = text.lines().filter(is_kept).flat_map(|line| [line, "\n"]).collect();
         assert_eq!(text.lines().count() - before.lines().count(), keys.len(), "{text}");
         assert_eq!(SpecFile::parse("spec.toml", before).unwrap(), file);
     }

@@ -43,10 +43,8 @@ impl MethodInputs for GouraudSpec {
         GouraudLight {
             diffuse_intensity: self
                 .intensity("max(N.L, 0)", &format!("light{index}_diffuse_intensity")),
-            specular_intensity: self.intensity(
-                self.highlight_in_words(),
-                &format!("light{index}_specular_intensity"),
-            ),
+            specular_intensity: self
+                .intensity(self.highlight_in_words(), &format!("light{index}_specular_intensity")),
         }
     }
 }

@@ -17,7 +17,7 @@ const POINTS: usize = 200;
 #[test]
 fn intensities_of_vertices_are_those_of_rust() {
     compare_intensities("highlight = \"power\"", |n| format!("highlight({{}}, {n})"));
-    for squarings in 0..=4 {
+    for squarings in [0, 3] {
         let options = format!("highlight = \"f-k\"\nsquarings = {squarings}");
         compare_intensities(&options, |n| format!("lobe({{}}, {n}, {squarings})"));
     }

@@ -45,7 +45,7 @@ impl EdgeArcs {
         let line = f64::from(span.y);
         let EdgeArcs(edges) = self;
         let mut crossed = edges.iter_mut().filter(|edge| edge.meets(line));
-        let [one, other] = [crossed.next()?, crossed.next()?].map(|edge| edge.to_line(line));
+        let [one, other] = [crossed.next()?, crossed.next()?].map(|edge| edge.step_to(line));
         let [left, right] = if one.0 <= other.0 { [one, other] } else { [other, one] };
         let arc = Arc::between([left.1, right.1]);
         let width = right.0 - left.0;
@@ -85,7 +85,7 @@ impl EdgeArc {
 
     /// Where it meets a line, and its normal there. The next span of a triangle is usually one line
     /// further, or on the same one.
-    fn to_line(&mut self, line: f64) -> (f64, DVec3) {
+    fn step_to(&mut self, line: f64) -> (f64, DVec3) {
         match line - self.line {
             0.0 => {}
             1.0 => {

@@ -23,9 +23,10 @@ fn stepped<const N: usize>(values: impl Fn(DVec3, DVec3) -> [f64; N]) -> Option<
         let of_pixel = |i: u32| {
             let weights = span.weights(i);
             let wanted = |k: usize| (0..3).map(|v| weights[v] * corners[v][k]).sum::<f64>();
-            along.iter_mut().enumerate().fold(0.0, |off, (k, value)| {
-                f64::max(off, (value.pixel() - wanted(k)).abs())
-            })
+            along
+                .iter_mut()
+                .enumerate()
+                .fold(0.0, |off, (k, value)| f64::max(off, (value.pixel() - wanted(k)).abs()))
         };
         (0..span.length).map(of_pixel).fold(0.0, f64::max)
     };
@@ -77,19 +78,22 @@ fn figure(scene: &str, figure: fn(&EdgesCompared) -> f64) -> f64 {
 }
 
 const fn additions(quantity: &'static str, measure: fn() -> f64) -> Claim {
-    let what = "additions along edges and scan lines are linear interpolation (3.2 to 3.6, 4.1 to 4.3)";
+    let what =
+        "additions along edges and scan lines are linear interpolation (3.2 to 3.6, 4.1 to 4.3)";
     exact(what, quantity, (0.0, 1e-12), measure, |off| Ruling::of(off < 1e-12, "they drift"))
 }
 
 const fn change(quantity: &'static str, expected: (f64, f64), measure: fn() -> f64) -> Claim {
-    let what = "slerp along edges, step ii, makes a difference (half an LSB; our question, not a claim)";
+    let what =
+        "slerp along edges, step ii, makes a difference (half an LSB; our question, not a claim)";
     exact(what, quantity, expected, measure, |lsb| {
         Ruling::of(lsb > 0.5, "small triangles' edges are arcs of few degrees")
     })
 }
 
 const fn nearer(quantity: &'static str, expected: (f64, f64), measure: fn() -> f64) -> Claim {
-    let what = "and is nearer to normals that are interpolated and normalised (our question, not a claim)";
+    let what =
+        "and is nearer to normals that are interpolated and normalised (our question, not a claim)";
     exact(what, quantity, expected, measure, |ratio| {
         Ruling::of(ratio < 1.0, "arcs along edges too leave them farther behind")
     })
@@ -120,9 +124,7 @@ pub(super) const CLAIMS: [Claim; 9] = [
     nearer("rms error with it over that without, teapot", (7.181, 5e-3), || {
         figure("teapot", ratio)
     }),
-    nearer("rms error with it over that without, torus", (3.084, 5e-3), || {
-        figure("torus", ratio)
-    }),
+    nearer("rms error with it over that without, torus", (3.084, 5e-3), || figure("torus", ratio)),
     nearer("rms error with it over that without, icosahedron", (2.330, 5e-3), || {
         figure("icosahedron", ratio)
     }),

@@ -90,13 +90,7 @@ fn amounts(
 }
 
 /// max(R·L, 0)^n, or f_k(n/2 D·D) of D = R - L; 0 where there is no normal.
-fn highlight(
-    spec: &GouraudSpec,
-    normal: DVec3,
-    light: DVec3,
-    view: DVec3,
-    shininess: u32,
-) -> f64 {
+fn highlight(spec: &GouraudSpec, normal: DVec3, light: DVec3, view: DVec3, shininess: u32) -> f64 {
     let reflection = 2.0 * normal.dot(view) * normal - view;
     if normal == DVec3::ZERO {
         return 0.0;

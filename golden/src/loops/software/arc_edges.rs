@@ -36,8 +36,7 @@ impl<'a, S: Scheme<f32>> SetUp<'a> for ArcEdges<'a, S> {
         });
         let line = Line { ends, ..Line::new(self.frame, span) };
         let serves = Arcs::serves(&line);
-        lights.extend(
-            self.frame.lights.iter().map(|light| or_phong(serves, &line, light.direction)),
-        );
+        lights
+            .extend(self.frame.lights.iter().map(|light| or_phong(serves, &line, light.direction)));
     }
 }
