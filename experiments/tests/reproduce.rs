@@ -31,8 +31,8 @@ fn claims_that_do_not_hold_are_told() {
         not_holding(Paper::Lyon),
         [
             "k = 2 is visually indistinguishable (half an LSB)",
-            "Gouraud shading can have f_2 as well (an error no more than a tenth larger)",
             "Blinn's D2 is his D1 for large n",
+            "Gouraud shading can have f_2 as well (an error no more than a tenth larger)",
             "1 % residual length error is good enough at n = 1000 (5 % of the peak)",
             "a span of 90 degrees halves the highlight in its middle, n = 1000, behind g2",
             "the overshoot is completely negligible (an LSB)",
