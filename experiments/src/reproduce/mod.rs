@@ -2,6 +2,7 @@
 //! whether the number of docs/numerics.md comes out.
 mod angle;
 mod claim;
+mod differences;
 pub mod drawn;
 pub mod figure;
 pub mod gates;

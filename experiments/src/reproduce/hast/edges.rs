@@ -7,9 +7,9 @@ use specula_golden::exact::formula::wrap::wrap;
 use specula_golden::loops::{Linear, Second};
 use specula_scene::{Frame, Span};
 use specula_testbench::ErrorFigures;
-use specula_testbench::statistics::Sums;
 
 use super::super::claim::{Claim, Ruling, exact};
+use super::super::differences::differences;
 use super::super::stepped::{largest_off, small};
 
 /// The largest difference between q = N·N by second differences of normals that are stepped along
@@ -30,19 +30,13 @@ fn square_off(frame: &Frame, span: &Span, mut along: [Linear<f64>; 3]) -> f64 {
 /// What it changes to wrap the normals along edges too, before those between them: figure 3, whose
 /// normals are wrapped around the polygon's.
 fn wrapped_edges(frame: &Frame) -> ErrorFigures {
-    let of_span = |span: &Span| {
-        let (mut sums, phong) = (Sums::default(), PhongSpan::new(frame, span));
-        let ends = [frame.unit_end_normals(span), wrapped_ends(frame, span)];
-        for i in 0..span.length {
-            let [linear, wrapped] = ends.map(|[first, last]| {
-                let normal = around_facet(frame, span, first.lerp(last, span.parameter(i)));
-                phong.pixel_with(normal, i)
-            });
-            (0..3).for_each(|c| sums.add(wrapped[c] - linear[c]));
-        }
-        sums
-    };
-    Sums::of_spans(frame, of_span).figures()
+    differences(frame, |span| {
+        let phong = PhongSpan::new(frame, span);
+        [frame.unit_end_normals(span), wrapped_ends(frame, span)].map(|[first, last]| {
+            let normal = |i| around_facet(frame, span, first.lerp(last, span.parameter(i)));
+            (0..span.length).map(|i| phong.pixel_with(normal(i), i)).collect()
+        })
+    })
 }
 
 /// Normals at a span's ends that are interpolated between those where its scan line meets the

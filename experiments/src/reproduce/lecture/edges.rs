@@ -1,15 +1,14 @@
 //! Additions along edges, and slerp along them.
 use glam::DVec3;
 use specula_golden::exact::formula::diffuse::lambert;
-use specula_golden::exact::{MethodSpan, PhongSpan};
 use specula_golden::loops::Linear;
 use specula_scene::frame::EYE;
 use specula_scene::{Frame, Needs, Span};
 use specula_spec::{CoreSpec, Method};
 use specula_testbench::ErrorFigures;
-use specula_testbench::statistics::Sums;
 
 use super::super::claim::{Claim, Ruling, exact};
+use super::super::differences::{self, by_method, differences};
 use super::super::stepped::{largest_off, small};
 
 /// The largest difference over the teapot's pixels between what is stepped along edges and scan lines
@@ -52,23 +51,11 @@ fn compared(frame: &Frame) -> Option<EdgesCompared> {
         CoreSpec::for_scene(&needs, Some(&table), Some(Method::Slerp)).ok()
     };
     let (linear, slerp) = (spec("linear")?, spec("slerp")?);
-    let figures = |off: fn([[f64; 3]; 3], usize) -> f64| {
-        let of_span = |span: &Span| {
-            let phong = PhongSpan::new(frame, span);
-            let methods = [&linear, &slerp].map(|spec| MethodSpan::new(spec, frame, span));
-            let mut sums = Sums::default();
-            for i in 0..span.length {
-                let [linear, slerp] = methods.each_ref().map(|method| method.pixel(i));
-                (0..3).for_each(|c| sums.add(off([phong.pixel(i), linear, slerp], c)));
-            }
-            sums
-        };
-        Sums::of_spans(frame, of_span).figures()
-    };
+    let by = |spec, span: &Span| by_method(spec, frame, span);
     Some(EdgesCompared {
-        change: figures(|[_, linear, slerp], c| slerp[c] - linear[c]),
-        linear: figures(|[exact, linear, _], c| linear[c] - exact[c]),
-        slerp: figures(|[exact, _, slerp], c| slerp[c] - exact[c]),
+        change: differences(frame, |span| [by(&linear, span), by(&slerp, span)]),
+        linear: differences(frame, |span| [differences::exact(frame, span), by(&linear, span)]),
+        slerp: differences(frame, |span| [differences::exact(frame, span), by(&slerp, span)]),
     })
 }
 

@@ -1,11 +1,10 @@
 //! Lyon's shape at the vertices of Gouraud shading, of which figure 1's text says that the
 //! reformulation serves it too.
-use specula_golden::exact::{MethodSpan, PhongSpan};
 use specula_scene::{Needs, Span};
 use specula_spec::{CoreSpec, Method};
-use specula_testbench::statistics::Sums;
 
 use super::super::claim::{Claim, Ruling, exact};
+use super::super::differences::{self, by_method, differences};
 use super::super::stepped::small;
 
 /// The rms error in LSBs of Gouraud shading against exact Phong shading, with options; NaN if there is
@@ -16,17 +15,9 @@ fn error(scene: &str, options: &str) -> f64 {
         let table = format!("[gouraud]\n{options}").parse().ok()?;
         let spec =
             CoreSpec::for_scene(&Needs::of(&frame), Some(&table), Some(Method::Gouraud)).ok()?;
-        let of_span = |span: &Span| {
-            let mut sums = Sums::default();
-            let (of_vertices, phong) =
-                (MethodSpan::new(&spec, &frame, span), PhongSpan::new(&frame, span));
-            for i in 0..span.length {
-                let (own, exact) = (of_vertices.pixel(i), phong.pixel(i));
-                (0..3).for_each(|c| sums.add(own[c] - exact[c]));
-            }
-            sums
-        };
-        Some(Sums::of_spans(&frame, of_span).figures().rms_lsb)
+        let shades =
+            |span: &Span| [differences::exact(&frame, span), by_method(&spec, &frame, span)];
+        Some(differences(&frame, shades).rms_lsb)
     };
     rms().unwrap_or(f64::NAN)
 }
