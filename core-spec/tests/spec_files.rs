@@ -56,6 +56,21 @@ fn cores_that_say_nothing_of_increments_multiply_them() {
     }
 }
 
+/// Files of cores that were made before a host had a choice mean what there was.
+#[test]
+fn options_of_the_host_may_be_absent() {
+    for (method, keys) in
+        [(Method::Gouraud, &["highlight", "squarings"][..]), (Method::Slerp, &["edges"])]
+    {
+        let file = SpecFile { name: "teapot".to_owned(), spec: core("teapot", Some(method)) };
+        let text = file.text();
+        let is_kept = |line: &&str| !keys.iter().any(|key| line.starts_with(key));
+        let before: String = text.lines().filter(is_kept).flat_map(|line| [line, "\n"]).collect();
+        assert_eq!(text.lines().count() - before.lines().count(), keys.len(), "{text}");
+        assert_eq!(SpecFile::parse("spec.toml", before).unwrap(), file);
+    }
+}
+
 #[test]
 fn what_is_no_core_is_refused_where_it_is_wrong() {
     let text =

@@ -2,6 +2,9 @@
 //! a scene with one material:
 //!
 //!     cargo run --release -p specula-flow --example host_speed -- teapot
+//!     cargo run --release -p specula-flow --example host_speed -- teapot slerp 'edges = "slerp"'
+//!
+//! The second is of one method with options of its table.
 //!
 //! The time is that of many passes over all spans, structs in memory to words in memory; compiled by
 //! gcc with -O2. `docs/host.md` has the figures.
@@ -12,7 +15,7 @@ use std::process::Command;
 
 use specula_flow::host::{ExampleSpan, HostCode, c_frame, c_header, c_span};
 use specula_flow::stream::{StreamCore, StreamShape};
-use specula_scene::{Frame, load};
+use specula_scene::{Frame, Needs, load};
 use specula_spec::{CoreSpec, Method, Positions, SceneCore, WordWidth};
 
 /// Spans whose structs are compiled into a program.
@@ -21,14 +24,26 @@ const MOST_SPANS: usize = 2000;
 const PACKETS: usize = 20_000_000;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let name = std::env::args().nth(1).unwrap_or_else(|| "teapot".to_owned());
+    let mut arguments = std::env::args().skip(1);
+    let name = arguments.next().unwrap_or_else(|| "teapot".to_owned());
     let scene = load(&name, None)?;
-    for method in Method::ALL {
-        let spec = scene.core_spec(Some(method))?;
-        for (kind, spec) in [("general", spec.general()), ("scene", spec)] {
-            let rate = packets_a_second(&spec, &scene.frame)?;
-            println!("{:12} {kind:8} {:6.1} million packets a second", method.name(), rate / 1e6);
-        }
+    let Some(method) = arguments.next() else {
+        return Method::ALL
+            .into_iter()
+            .try_for_each(|method| print_speeds(&scene.core_spec(Some(method))?, &scene.frame));
+    };
+    let method = Method::from_name(&method)?;
+    let options = arguments.next().unwrap_or_default();
+    let table = format!("[{}]\n{options}", method.name()).parse()?;
+    let spec = CoreSpec::for_scene(&Needs::of(&scene.frame), Some(&table), Some(method))?;
+    print_speeds(&spec.specialised(&scene.frame), &scene.frame)
+}
+
+/// Those of a core for any scene, and of the same for the frame alone.
+fn print_speeds(spec: &CoreSpec, frame: &Frame) -> Result<(), Box<dyn Error>> {
+    for (kind, spec) in [("general", &spec.general()), ("scene", spec)] {
+        let (method, rate) = (spec.method().name(), packets_a_second(spec, frame)?);
+        println!("{method:12} {kind:8} {:6.1} million packets a second", rate / 1e6);
     }
     Ok(())
 }

@@ -7,7 +7,7 @@ use proptest::test_runner::TestCaseError;
 use specula_fixtures::frames::{frame, material};
 use specula_golden::exact::MethodSpan;
 use specula_golden::loops::software::{Mesh, by_name};
-use specula_golden::loops::{Edge, Linear, Plane};
+use specula_golden::loops::{Edge, EdgeArcs, Linear, Plane};
 use specula_scene::picture::coverage::{Coverage, Point, STEPS};
 use specula_scene::{Frame, Material, Needs, Span, load};
 use specula_spec::{CoreSpec, FULL_SCALE, Method};
@@ -99,6 +99,34 @@ proptest! {
                 let expected: f64 = span.weights(i).into_iter().zip(values).map(|(w, v)| w * v).sum();
                 let error = (along.pixel() - expected).abs();
                 prop_assert!(error <= most, "{span:?}, pixel {i}: {error}, and {most} at most");
+            }
+        }
+    }
+
+    /// Normals that turn along edges from line to line, against those of the set-up, which takes the
+    /// weights; lines from the last to the first too.
+    #[test]
+    fn normals_turn_along_edges(
+        points in outline(),
+        normals in prop::array::uniform9(-1.0..=1.0_f64),
+        hidden in prop::collection::vec(prop::array::uniform2(0.0..=1.0_f64), 7),
+    ) {
+        let Some(coverage) = Coverage::new(points) else { return Ok(()) };
+        let outline = points.map(Point::in_pixels);
+        let normals = [0, 3, 6]
+            .map(|k| DVec3::new(normals[k], normals[k + 1], normals[k + 2]).normalize_or_zero());
+        let mut frame = frame([DVec3::Z; 2], 1, &[DVec3::Z], material(0.0, 1.0, 0.0, 1));
+        (frame.triangles[0].normals, frame.triangles[0].outline) = (normals, Some(outline));
+        frame.spans = spans(&coverage, &hidden);
+        // Nearly opposite normals turn in a plane that roundings choose.
+        prop_assume!([(0, 1), (1, 2), (2, 0)].iter().all(|&(a, b)| normals[a].dot(normals[b]) > -0.9));
+        let mut edges = EdgeArcs::new(outline, normals);
+        let upwards = frame.spans.iter().rev();
+        for span in frame.spans.iter().chain(upwards) {
+            let arc = frame.arc_between_edges(span);
+            let Some(ends) = edges.ends(span) else { continue };
+            for (one, other) in ends.into_iter().zip([arc.start, arc.end]) {
+                prop_assert!(one.distance(other) < 1e-9, "{span:?}: {one} and {other}");
             }
         }
     }

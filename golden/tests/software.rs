@@ -150,6 +150,7 @@ rows! {
     "fast-phong", FastPhong<f64, 1>, |f| method(f, Method::Direct, "root = \"newton\"\nnewton_steps = 1"), Step;
     "fast-phong-2", FastPhong<f64, 2>, |f| method(f, Method::Direct, "root = \"newton\"\nnewton_steps = 2"), Step;
     "slerp", Slerp<f64>, |f| method(f, Method::Slerp, ""), Step;
+    "slerp-edges", Slerp<f64>, |f| method(f, Method::Slerp, "edges = \"slerp\""), Step;
     "slerp-frame", FrameSlerp<f64>, |f| method(f, Method::Slerp, ""), Step;
     "chebyshev", Chebyshev<f64>, |f| method(f, Method::Slerp, ""), Difference;
     "lyon", LyonCross<f64>, |f| lyon(f, "difference = \"halfway-cross-normal\""), Step;
@@ -389,7 +390,7 @@ fn far_places_are_as_at_infinity() {
         frame.eye = None;
         frame
     };
-    for method in METHODS.iter().filter(|method| method.serves(&infinite)) {
+    for method in METHODS.iter().filter(|method| method.serves(&infinite) && method.serves(&far)) {
         let shaded = [&far, &infinite].map(|frame| {
             let mut out = [[0.0; 3]; 65];
             method.shade(frame, &frame.spans[0], &mut out);

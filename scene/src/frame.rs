@@ -5,6 +5,7 @@
 //! (0, 0, 1).
 use glam::{DVec2, DVec3};
 
+use crate::arc::{Arc, or_the_other};
 use crate::mesh::normals::newell;
 
 /// The direction to the eye, in view space.
@@ -170,18 +171,6 @@ impl Span {
     }
 }
 
-/// The great circle that the normal follows along a span, when its angle grows steadily.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Arc {
-    /// A, the unit normal at the first pixel; 0 if the span has no normal at either end.
-    pub start: DVec3,
-    /// T, the unit vector perpendicular to A, towards the normal at the last pixel; 0 if there is
-    /// no angle between them.
-    pub across: DVec3,
-    /// The angle f between the two normals, in radians, 0 to π.
-    pub angle: f64,
-}
-
 /// A picture to be shaded.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
@@ -261,10 +250,8 @@ impl Frame {
     /// The unit normals at a span's first and last pixel. If the interpolated normal vanishes at
     /// one end, that end gets the other's; if it vanishes at both, both are 0.
     pub fn unit_end_normals(&self, span: &Span) -> [DVec3; 2] {
-        let [start, end] =
-            [span.start, span.end].map(|weights| self.normal_at(span, weights).normalize_or_zero());
-        let or = |normal: DVec3, other: DVec3| if normal == DVec3::ZERO { other } else { normal };
-        [or(start, end), or(end, start)]
+        let normal = |weights| self.normal_at(span, weights).normalize_or_zero();
+        or_the_other([span.start, span.end].map(normal))
     }
 
     /// The unit normal of the polygon that a span shows, on the visible side; 0 if it has none.
@@ -285,21 +272,10 @@ impl Frame {
         span.start_and_step(self.end_normals(span))
     }
 
-    /// The arc from the normal at a span's first pixel to that at its last: N(t) = cos(t f) A +
-    /// sin(t f) T [lecture, eq. 4.7, in a frame that needs no division by sin f; methods A11].
-    ///
-    /// Opposite normals do not determine a plane of rotation; T is then one of the vectors
-    /// perpendicular to A.
+    /// The arc from the normal at a span's first pixel to that at its last, both interpolated linearly
+    /// in the triangle.
     pub fn arc(&self, span: &Span) -> Arc {
-        let [a, b] = self.unit_end_normals(span);
-        let axis = a.cross(b);
-        let across = axis.cross(a).try_normalize().unwrap_or(if a.dot(b) < 0.0 {
-            a.any_orthonormal_vector()
-        } else {
-            DVec3::ZERO
-        });
-        // An arc cosine of the rounded dot product would lose small angles (extremes row 15).
-        Arc { start: a, across, angle: libm::atan2(axis.length(), a.dot(b)) }
+        Arc::between(self.unit_end_normals(span))
     }
 
     /// A quantity of a triangle's vertices, interpolated linearly: its value at the first pixel and

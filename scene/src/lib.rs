@@ -3,6 +3,7 @@
 //! A scene file or mesh becomes a [`Frame`]: visible [`Span`]s of triangles, and [`Needs`] says what
 //! they ask of the hardware that shades them.
 mod angle;
+mod arc;
 mod builtin;
 pub mod contributions;
 pub mod defaults;
@@ -19,11 +20,13 @@ mod parallel;
 pub mod picture;
 pub mod primitive;
 pub mod regular;
+mod scan_line;
 mod shortest_halfway;
 mod surface;
 mod wrap;
 mod wrapped_places;
 
+pub use arc::Arc;
 pub use builtin::{builtin_names, builtin_text};
 pub use error::SceneError;
 pub use file::{CoreTable, SourceFile};
@@ -34,5 +37,6 @@ pub use illumination::Illumination;
 pub use load::{LONGEST_NAME, LoadedScene, load, module_name, parse};
 pub use needs::Needs;
 pub use parallel::ParallelSpan;
+pub use scan_line::{ScanLine, normal_on_edge};
 pub use surface::Surface;
 pub use wrap::Wrap;

@@ -1,7 +1,7 @@
 //! The inputs of a `gouraud` core.
 use specula_datapath::Format;
 
-use super::{GouraudSpec, Interpolation};
+use super::{GouraudSpec, Highlight, Interpolation};
 use crate::core_input::CoreInput;
 use crate::input_meaning::InputMeaning;
 use crate::inputs::{CoreInputs, MethodInputs, NoInputs, inputs};
@@ -12,7 +12,7 @@ inputs! {
     GouraudLight {
         /// max(N·L, 0).
         diffuse_intensity: group(Intensity),
-        /// max(R·L, 0)^n.
+        /// max(R·L, 0)^n, or f_k of R - L.
         specular_intensity: group(Intensity),
     }
 }
@@ -44,12 +44,19 @@ impl MethodInputs for GouraudSpec {
             diffuse_intensity: self
                 .intensity("max(N.L, 0)", &format!("light{index}_diffuse_intensity")),
             specular_intensity: self
-                .intensity("max(R.L, 0)^n", &format!("light{index}_specular_intensity")),
+                .intensity(self.highlight_in_words(), &format!("light{index}_specular_intensity")),
         }
     }
 }
 
 impl GouraudSpec {
+    fn highlight_in_words(&self) -> &'static str {
+        match self.highlight {
+            Highlight::Power => "max(R.L, 0)^n",
+            Highlight::FK => "f_k of R - L",
+        }
+    }
+
     /// The inputs of a `value`, a formula, along a span.
     fn intensity(&self, value: &str, name: &str) -> Intensity<CoreInput> {
         let input = |meaning: InputMeaning, name: &str, format: Format, low: f64| {

@@ -4,6 +4,8 @@ use smallvec::SmallVec;
 use specula_scene::limits::MOST_LIGHTS;
 use specula_scene::{Frame, Illumination};
 
+use super::VertexHighlight;
+
 /// A point of a surface, and the light that reaches it.
 pub struct LitPoint {
     /// N, a unit vector; 0 where the surface has none.
@@ -31,14 +33,14 @@ impl LitPoint {
             .map_or(0.0, |light| light.share * self.normal.dot(light.direction).max(0.0))
     }
 
-    /// max(R·L, 0)^n with R = 2(N·V)N - V [lecture, eq. 2.1] of light number `index`, times the
-    /// light's share; 0 where there is no normal to reflect about.
-    pub fn highlight(&self, index: usize, n: u32) -> f64 {
+    /// The highlight of R = 2(N·V)N - V [lecture, eq. 2.1] and light number `index`, times the light's
+    /// share; 0 where there is no normal to reflect about.
+    pub fn highlight(&self, index: usize, highlight: VertexHighlight) -> f64 {
         let (Some(light), Some(view)) = (self.lights[index], self.view) else { return 0.0 };
         if self.normal == DVec3::ZERO {
             return 0.0;
         }
         let reflection = 2.0 * self.normal.dot(view) * self.normal - view;
-        light.share * libm::pow(reflection.dot(light.direction).clamp(0.0, 1.0), f64::from(n))
+        light.share * highlight.of(reflection, light.direction)
     }
 }

@@ -1,9 +1,10 @@
 //! Intensities of a polygon's vertices, or of the polygon as a whole [lecture, eq. 2.1 and 3.2 to
 //! 3.6], methods A3 and A4.
 //!
-//! The host works out Phong's formula, max(N·L, 0) and max(R·L, 0)^n with R = 2(N·V)N - V; the core
-//! sees nothing of n.
+//! The host works out Phong's formula, max(N·L, 0) and max(R·L, 0)^n with R = 2(N·V)N - V, or Lyon's
+//! f_k in place of the power [Lyon, figure 1; methods B]; the core sees nothing of n.
 mod defaults;
+mod highlight;
 mod inputs;
 mod lit_point;
 mod set_up;
@@ -13,6 +14,7 @@ use specula_datapath::Format;
 
 use crate::formats::formats;
 
+pub use highlight::{Highlight, VertexHighlight};
 pub use inputs::{GouraudInputs, GouraudLight, Intensity};
 pub use lit_point::LitPoint;
 
@@ -33,8 +35,26 @@ pub enum Interpolation {
 pub struct GouraudSpec {
     /// Where intensities are computed.
     pub interpolation: Interpolation,
+    /// What the highlight is at the points where it is computed.
+    #[serde(default)]
+    pub highlight: Highlight,
+    /// k of f_k(x) = (1 - x/2^k)^(2^k), 0 to 4: how often the host squares it.
+    #[serde(default = "default_squarings")]
+    pub squarings: u32,
     /// The narrowing points.
     pub formats: GouraudFormats,
+}
+
+/// k of Lyon's figure 7, also in files of cores that were made before there was a choice.
+const fn default_squarings() -> u32 {
+    2
+}
+
+impl GouraudSpec {
+    /// The highlight of a surface with the exponent `shininess`.
+    pub const fn vertex_highlight(&self, shininess: u32) -> VertexHighlight {
+        VertexHighlight { highlight: self.highlight, squarings: self.squarings, shininess }
+    }
 }
 
 formats! {

@@ -44,10 +44,9 @@ impl SlerpSpec {
 
     /// How the normal goes along a span.
     pub fn arc_rotation(&self, frame: &Frame, span: &Span) -> ArcRotation {
-        let arc = frame.arc(span);
+        let arc = self.arc(frame, span);
         let step = arc.angle * span.weight_step();
         let (sine, cosine) = (libm::sin(step), libm::cos(step));
-        let [start, end] = frame.unit_end_normals(span);
         if !self.between_ends() || arc.angle >= WIDE.to_radians() {
             let axes = [arc.start, arc.across];
             return ArcRotation {
@@ -58,7 +57,7 @@ impl SlerpSpec {
                 is_linear: false,
             };
         }
-        let axes = [start, end];
+        let axes = [arc.start, arc.end];
         if arc.angle < NARROW.to_radians() {
             let turn = [1.0, span.weight_step(), 0.0];
             return ArcRotation {

@@ -3,7 +3,7 @@ use specula_datapath::Format;
 use specula_scene::frame::Frame;
 use specula_scene::needs::Needs;
 
-use super::{Basis, Form, SlerpFormats, SlerpSpec};
+use super::{Basis, Edges, Form, SlerpFormats, SlerpSpec};
 use crate::defaults::{exponent_bits, span_bits};
 use crate::error::SpecError;
 use crate::method_set_up::SetUpSpan;
@@ -24,6 +24,7 @@ impl SlerpSpec {
         Places::OPTION_DOMAIN,
         OptionDomain { key: "form", values: &["\"scalar\"", "\"vector\""] },
         OptionDomain { key: "frame", values: &["\"orthonormal\"", "\"ends\""] },
+        OptionDomain { key: "edges", values: &["\"linear\"", "\"slerp\""] },
     ];
 
     /// An angle that is off by e moves cos^n by 1.2 √n e, and every step may add 0.9 units of the
@@ -38,6 +39,7 @@ impl SlerpSpec {
         SlerpSpec {
             form: Form::Scalar,
             frame: Basis::Orthonormal,
+            edges: Edges::Linear,
             power: Power::for_needs(needs),
             places: Places::for_needs(needs),
             formats: SlerpFormats {
@@ -149,8 +151,13 @@ impl ShadingMethod for SlerpSpec {
                 "the normal itself, between the ends; linear below 10 degrees"
             }
         };
-        let options = [("what turns", words.to_owned()), self.power.option()];
-        options.into_iter().chain(self.places.option()).collect()
+        let mut options = vec![("what turns", words.to_owned())];
+        if self.edges == Edges::Slerp {
+            options.push(("edges", "normals at them by slerp from vertex to vertex".to_owned()));
+        }
+        options.push(self.power.option());
+        options.extend(self.places.option());
+        options
     }
 
     fn check_compatible(&self, needs: &Needs) -> Result<(), SpecError> {

@@ -12,6 +12,7 @@ mod set_up;
 
 use serde::{Deserialize, Serialize};
 use specula_datapath::Format;
+use specula_scene::{Arc, Frame, Span};
 
 use crate::formats::formats;
 use crate::power::{Power, PowerUnit};
@@ -43,6 +44,18 @@ pub enum Basis {
     Ends,
 }
 
+/// How normals go along the triangle's edges, from which they go along scan lines.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Edges {
+    /// Linearly, as everything else in a triangle; A and B are brought to unit length.
+    #[default]
+    Linear,
+    /// By slerp from vertex to vertex, and from there to A and B by slerp along the scan line
+    /// (lecture, §4.4, step ii).
+    Slerp,
+}
+
 /// Options of the method.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -51,6 +64,9 @@ pub struct SlerpSpec {
     pub form: Form,
     /// What a normal is put together from; scalars have an orthonormal frame.
     pub frame: Basis,
+    /// How normals go along edges.
+    #[serde(default)]
+    pub edges: Edges,
     /// How the power of the highlight is taken.
     pub power: Power,
     /// From where lights and the eye at places are seen.
@@ -94,6 +110,24 @@ formats! {
 }
 
 impl SlerpSpec {
+    /// The arc from the normal at a span's first pixel to that at its last.
+    pub fn arc(&self, frame: &Frame, span: &Span) -> Arc {
+        match self.edges {
+            Edges::Linear => frame.arc(span),
+            Edges::Slerp => frame.arc_between_edges(span),
+        }
+    }
+
+    /// A length that the middle of no chord between a span's ends falls short of, 0 to 1, where
+    /// linearly interpolated normals are `shortest_normal` long. They say nothing of ends between
+    /// which normals go by slerp from vertex to vertex.
+    pub const fn shortest_chord(&self, shortest_normal: f64) -> f64 {
+        match self.edges {
+            Edges::Linear => shortest_normal,
+            Edges::Slerp => 0.0,
+        }
+    }
+
     /// Where what comes of ways to places is rounded.
     pub fn ways(&self) -> WayFormats {
         let &SlerpFormats {

@@ -2,6 +2,7 @@
 //! whether the number of docs/numerics.md comes out.
 mod angle;
 mod claim;
+mod differences;
 pub mod drawn;
 pub mod figure;
 pub mod gates;
@@ -14,6 +15,7 @@ mod paper;
 pub mod project;
 pub mod reshetov;
 mod span_core;
+mod stepped;
 
 use claim::Claim;
 pub use claim::{ClaimVerdict, Ground, Ruling};

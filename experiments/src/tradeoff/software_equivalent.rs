@@ -1,6 +1,7 @@
 //! The software software_equivalent of a core: the paper's loop that computes the same.
-use specula_spec::gouraud::Interpolation;
+use specula_spec::gouraud::{Highlight, Interpolation};
 use specula_spec::lyon::{Difference, Halfway, LyonSpec, Normals};
+use specula_spec::slerp::Edges;
 use specula_spec::{
     ConsistentSpec, CoreSpec, DirectSpec, MethodSpec, consistent, direct, duff, phong, reflection,
 };
@@ -36,6 +37,8 @@ pub fn software_equivalent(spec: &CoreSpec) -> Option<&'static str> {
             duff::Highlight::Eq33 => "duff-quotient",
             duff::Highlight::Eq34 => "duff",
         }),
+        // Loops have powers at vertices.
+        MethodSpec::Gouraud(gouraud) if gouraud.highlight == Highlight::FK => None,
         MethodSpec::Gouraud(gouraud) => Some(match gouraud.interpolation {
             Interpolation::Linear => "gouraud",
             Interpolation::Uniform => "uniform",
@@ -46,7 +49,10 @@ pub fn software_equivalent(spec: &CoreSpec) -> Option<&'static str> {
             reflection::Highlight::Eq34 => "reflection",
         }),
         MethodSpec::Consistent(consistent) => of_consistent(consistent),
-        MethodSpec::Slerp(_) => Some("slerp"),
+        MethodSpec::Slerp(slerp) => Some(match slerp.edges {
+            Edges::Linear => "slerp",
+            Edges::Slerp => "slerp-edges",
+        }),
         MethodSpec::Direct(direct) => Some(of_direct(direct)),
     }
 }

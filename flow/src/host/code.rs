@@ -1,4 +1,5 @@
 //! What the host code of a core is made of, in whatever language.
+use specula_spec::gouraud::Highlight;
 use specula_spec::lyon::Normals;
 use specula_spec::{FieldContent, Format, InputPort, MethodSpec, Positions, consistent};
 
@@ -216,7 +217,10 @@ impl<'a> HostCode<'a> {
     pub fn public_functions(&self) -> &'static [&'static str] {
         match &self.core.spec.method {
             MethodSpec::Hybrid(_) => &["interpolated", "lambert"],
-            MethodSpec::Gouraud(_) => &["interpolated", "lambert", "highlight"],
+            MethodSpec::Gouraud(spec) => match spec.highlight {
+                Highlight::Power => &["interpolated", "lambert", "highlight"],
+                Highlight::FK => &["interpolated", "lambert", "lobe"],
+            },
             MethodSpec::Consistent(spec) => match spec.curve {
                 consistent::Curve::Rational => &["interpolated", "rational_angle"],
                 consistent::Curve::Trigonometric => &["interpolated", "trigonometric_angle"],

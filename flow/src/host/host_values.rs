@@ -17,7 +17,7 @@ pub fn host_value(
         Holder::Frame if source.name == "ambient_light" => Some(frame.ambient.to_vec()),
         Holder::Frame if source.name == "eye_place" => Some(frame.eye?.to_array().to_vec()),
         Holder::Frame | Holder::Span => match of_light(&source.name) {
-            Some((index, name)) => light_value(frame, span, index, name),
+            Some((index, name)) => light_value(spec, frame, span, index, name),
             None => of_span(spec, frame, span, &source.name),
         },
     }
@@ -76,6 +76,10 @@ fn of_span(spec: &CoreSpec, frame: &Frame, span: &Span, name: &str) -> Option<Ve
         "last_weights" => vector(span.end),
         "first_position" => vector(frame.position_at(span, span.start).to_array()),
         "last_position" => vector(frame.position_at(span, span.end).to_array()),
+        "left_weights" => vector(frame.scan_line(span).edges[0]),
+        "right_weights" => vector(frame.scan_line(span).edges[1]),
+        "first_share" => Some(vec![frame.scan_line(span).shares[0]]),
+        "last_share" => Some(vec![frame.scan_line(span).shares[1]]),
         "middle" => {
             let weights = std::array::from_fn(|v| f64::midpoint(span.start[v], span.end[v]));
             vector(frame.position_at(span, weights).to_array())
@@ -84,7 +88,13 @@ fn of_span(spec: &CoreSpec, frame: &Frame, span: &Span, name: &str) -> Option<Ve
     }
 }
 
-fn light_value(frame: &Frame, span: &Span, index: usize, name: &str) -> Option<Vec<f64>> {
+fn light_value(
+    spec: &CoreSpec,
+    frame: &Frame,
+    span: &Span,
+    index: usize,
+    name: &str,
+) -> Option<Vec<f64>> {
     match name {
         "direction" => return Some(frame.lights.get(index)?.direction.to_array().to_vec()),
         "colour" => return Some(frame.light_colours().nth(index)?.to_vec()),
@@ -92,10 +102,12 @@ fn light_value(frame: &Frame, span: &Span, index: usize, name: &str) -> Option<V
         _ => {}
     }
     let (place, what) = name.split_once('_')?;
-    let n = frame.material(span).shininess;
-    let of = |point: &LitPoint| match what {
-        "diffuse" | "intensity" => Some(point.diffuse(index)),
-        "specular" => Some(point.highlight(index, n)),
+    let of = |point: &LitPoint| match (what, &spec.method) {
+        ("diffuse" | "intensity", _) => Some(point.diffuse(index)),
+        ("specular", MethodSpec::Gouraud(gouraud)) => {
+            let n = frame.material(span).shininess;
+            Some(point.highlight(index, gouraud.vertex_highlight(n)))
+        }
         _ => None,
     };
     let triangle = &frame.triangles[span.triangle];

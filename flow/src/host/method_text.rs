@@ -1,10 +1,10 @@
 //! The program of a core: the text of its method, with what its options ask for.
 use specula_scene::needs::LocalKind;
 use specula_spec::consistent;
-use specula_spec::gouraud::Interpolation;
+use specula_spec::gouraud::{Highlight, Interpolation};
 use specula_spec::lyon::{Halfway, Normals, WrapAxis};
 use specula_spec::reflection::Bisector;
-use specula_spec::slerp::Form;
+use specula_spec::slerp::{Edges, Form};
 use specula_spec::{CoreSpec, MethodSpec, PowerUnit, Viewpoint};
 
 use super::program::Program;
@@ -70,6 +70,7 @@ fn method(spec: &CoreSpec) -> (&'static str, Values) {
     values.set("EXPONENT_FACTOR", 1);
     values.flag("dark_opposite", false);
     values.flag("wrapped", false);
+    values.flag("slerp_edges", false);
     let power = |values: &mut Values, unit: PowerUnit| {
         values.set("EXPONENT_FACTOR", 1 << unit.log2_factor);
     };
@@ -111,6 +112,11 @@ fn method(spec: &CoreSpec) -> (&'static str, Values) {
         MethodSpec::Gouraud(gouraud) => {
             values.flag("linear", gouraud.interpolation == Interpolation::Linear);
             values.flag("uniform", gouraud.interpolation == Interpolation::Uniform);
+            let highlight = match gouraud.highlight {
+                Highlight::Power => "max(R.L, 0)^n".to_owned(),
+                Highlight::FK => format!("f_{} of R - L", gouraud.squarings),
+            };
+            values.set("HIGHLIGHT", highlight);
             include_str!("templates/methods/gouraud.txt")
         }
         MethodSpec::Reflection(reflection) => {
@@ -129,6 +135,7 @@ fn method(spec: &CoreSpec) -> (&'static str, Values) {
             power(&mut values, slerp.power_unit());
             values.flag("ends", slerp.between_ends());
             values.flag("vector", slerp.form == Form::Vector);
+            values.flag("slerp_edges", slerp.edges == Edges::Slerp);
             include_str!("templates/methods/slerp.txt")
         }
         MethodSpec::Direct(direct) => {

@@ -68,6 +68,16 @@ pub fn drawn(method: Method, draw: &mut Draw) -> Vec<HostedCore> {
     cores
 }
 
+/// The general core of a method for the teapot, with options.
+pub fn with_options(method: Method, options: &str) -> HostedCore {
+    let frame = load("teapot", Some((96, 72))).expect("it is built in").frame;
+    let table = format!("[{}]\n{options}", method.name()).parse().expect("it is TOML");
+    let spec = CoreSpec::for_scene(&Needs::of(&frame), Some(&table), Some(method));
+    let shape = StreamShape { word: WordWidth::Bits32, positions: Positions::Sent };
+    HostedCore::new("teapot".to_owned(), spec.expect("the method serves it"), shape, frame)
+        .expect("it can be built")
+}
+
 impl HostedCore {
     /// The core of a spec. None where it cannot be built.
     fn new(name: String, spec: CoreSpec, shape: StreamShape, frame: Frame) -> Option<HostedCore> {

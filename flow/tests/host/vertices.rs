@@ -8,15 +8,26 @@ use specula_spec::gouraud::LitPoint;
 use specula_spec::{Method, MethodSpec, Specialise};
 
 use crate::c::{succeed, write};
-use crate::cores::{HostedCore, built_in};
+use crate::cores::{HostedCore, built_in, with_options};
 
 /// Points at which functions are compared.
 const POINTS: usize = 200;
 
-/// `lambert` and `highlight` give what Rust does, but for the last bits of powers.
+/// `lambert`, and `highlight` or `lobe`, give what Rust does, but for the last bits of powers.
 #[test]
 fn intensities_of_vertices_are_those_of_rust() {
-    let core = built_in(Method::Gouraud, &["teapot"], Specialise::General).swap_remove(0);
+    compare_intensities("highlight = \"power\"", |n| format!("highlight({{}}, {n})"));
+    for squarings in [0, 3] {
+        let options = format!("highlight = \"f-k\"\nsquarings = {squarings}");
+        compare_intensities(&options, |n| format!("lobe({{}}, {n}, {squarings})"));
+    }
+}
+
+/// Compares what functions give with Rust's, for a core with options; `call` has the function of the
+/// highlight for an exponent, `{}` for its vectors.
+fn compare_intensities(options: &str, call: impl Fn(u32) -> String) {
+    let core = with_options(Method::Gouraud, options);
+    let MethodSpec::Gouraud(spec) = &core.spec.method else { unreachable!("it is asked for") };
     let mut draw = Draw::new(16);
     let (mut calls, mut expected) = ([vec![], vec![]], vec![]);
     for number in 0..POINTS {
@@ -28,13 +39,13 @@ fn intensities_of_vertices_are_those_of_rust() {
             ..core.frame.clone()
         };
         let point = LitPoint::new(&frame, normal, core.frame.triangles[0].positions[0]);
-        expected.extend([point.diffuse(0), point.highlight(0, n)]);
+        expected.extend([point.diffuse(0), point.highlight(0, spec.vertex_highlight(n))]);
         let [normal, light] = [normal, light].map(|v| format!("{:?}, {:?}, {:?}", v.x, v.y, v.z));
         for (language, [open, close]) in [["(double[]){", "}"], ["[", "]"]].into_iter().enumerate()
         {
             let arguments = format!("{open}{normal}{close}, {open}{light}{close}");
             calls[language].push(format!("lambert({arguments})"));
-            calls[language].push(format!("highlight({arguments}, {n})"));
+            calls[language].push(call(n).replace("{}", &arguments));
         }
     }
     compare(&core, &calls, &expected);

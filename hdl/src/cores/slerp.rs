@@ -28,12 +28,13 @@ pub(super) fn core(
     let mut inputs = ports.map(|port| b.input(port));
     alike(&b, &slots, &mut inputs.lights, |light| light.way.as_mut().map(|to| &mut to.way));
     let (formats, steps) = (&slerp.formats, parameters.longest_span - 1);
+    let shortest_chord = slerp.shortest_chord(parameters.shortest_normal);
     let [u, v] = weights(&b, &slots.first_pixel, &inputs.span, slerp, steps);
     let weights = [&u, &v];
     let normal = inputs.span.normal.as_ref().map(|axes| {
         let known = match slerp.frame {
             Basis::Orthonormal => Weighing::orthonormal(formats, steps),
-            Basis::Ends => Weighing::between_ends(formats, steps, parameters.shortest_normal),
+            Basis::Ends => Weighing::between_ends(formats, steps, shortest_chord),
         };
         let [start, other] =
             [&axes.start, &axes.other].map(|axis| unit_vector(axis, formats.vector));
@@ -59,7 +60,7 @@ pub(super) fn core(
         Some(_) => n_dot_v,
         None => units::corrected(&b, &n_dot_v, weights, formats, steps),
     };
-    let base = error::turned::base(formats, steps, parameters.shortest_normal);
+    let base = error::turned::base(formats, steps, shortest_chord);
     let pixel = Pixel {
         ways: &ways,
         eye: eye.as_ref(),

@@ -4,11 +4,11 @@ use specula_golden::exact::PhongSpan;
 use specula_golden::exact::formula::wrap::wrap;
 use specula_scene::frame::EYE;
 use specula_scene::{Frame, Span};
-use specula_testbench::statistics::Sums;
 use specula_testbench::{ErrorFigures, Image};
 
 use super::super::angle::angle_between;
 use super::super::claim::{Claim, HALF_LSB, Ruling, exact};
+use super::super::differences::{self, differences};
 use super::super::painted::{painted, rounded};
 use crate::stress::draw::tilted;
 
@@ -84,13 +84,9 @@ pub fn wrapped_picture(frame: &Frame, axis: Axis) -> (Image, ErrorFigures) {
         wrapped.map_or_else(|| phong.pixel(i), |normal| phong.pixel_with(normal, i))
     };
     let image = painted(frame, |span, i| rounded(colour(span, i)));
-    let of_span = |span: &Span| {
-        let (mut sums, phong) = (Sums::default(), PhongSpan::new(frame, span));
-        for i in 0..span.length {
-            let (exact, wrapped) = (phong.pixel(i), colour(span, i));
-            (0..3).for_each(|c| sums.add(wrapped[c] - exact[c]));
-        }
-        sums
-    };
-    (image, Sums::of_spans(frame, of_span).figures())
+    let error = differences(frame, |span| {
+        let wrapped = (0..span.length).map(|i| colour(span, i)).collect();
+        [differences::exact(frame, span), wrapped]
+    });
+    (image, error)
 }

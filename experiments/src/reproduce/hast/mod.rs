@@ -1,5 +1,6 @@
 //! Hast et al.: operations of their schemes, and normals by reflection.
 pub mod axes;
+mod edges;
 pub mod operations;
 pub mod quality;
 mod vectors;
@@ -8,6 +9,7 @@ use super::claim::Claim;
 
 /// All claims, in the paper's order.
 pub(super) fn claims() -> Vec<&'static Claim> {
-    let groups: [&'static [Claim]; 3] = [&operations::CLAIMS, &vectors::CLAIMS, &axes::CLAIMS];
+    let groups: [&'static [Claim]; 4] =
+        [&operations::CLAIMS, &vectors::CLAIMS, &axes::CLAIMS, &edges::CLAIMS];
     groups.into_iter().flatten().collect()
 }

@@ -1,5 +1,6 @@
 //! The lecture: scan lines and bands, arcs against chords, Newton's root, exercises.
 mod bands;
+mod edges;
 mod exercises;
 pub mod quadrilateral;
 
@@ -17,8 +18,8 @@ use crate::stress::draw::{tilted, turned};
 
 /// All claims, in the order of the lecture.
 pub(super) fn claims() -> Vec<&'static Claim> {
-    let groups: [&'static [Claim]; 4] =
-        [&quadrilateral::CLAIMS, &bands::CLAIMS, &CLAIMS, &exercises::CLAIMS];
+    let groups: [&'static [Claim]; 5] =
+        [&quadrilateral::CLAIMS, &bands::CLAIMS, &CLAIMS, &edges::CLAIMS, &exercises::CLAIMS];
     groups.into_iter().flatten().collect()
 }
 

@@ -12,12 +12,12 @@ mod reason;
 
 use glam::DVec3;
 use specula_golden::exact::formula::reflection::reflect;
-use specula_golden::exact::formula::shape::power;
+use specula_golden::exact::formula::shape::{f_k, power};
 use specula_scene::frame::EYE;
 use specula_scene::{Frame, Span};
 use specula_spec::consistent::{Diffuse, LARGEST_GAIN_BITS};
 use specula_spec::direct::Root;
-use specula_spec::gouraud::Interpolation;
+use specula_spec::gouraud::{GouraudSpec, Highlight, Interpolation};
 use specula_spec::lyon::Difference;
 use specula_spec::phong::Places;
 use specula_spec::{
@@ -99,6 +99,9 @@ impl<'a> Limits<'a> {
         let (shape, accumulated) = match &spec.method {
             MethodSpec::Lyon(lyon) => {
                 (shape_error(n, lyon.squarings), normal::lags(frame, span, lyon))
+            }
+            MethodSpec::Gouraud(gouraud) if gouraud.highlight == Highlight::FK => {
+                (shape_error(n, gouraud.squarings), Vec::new())
             }
             MethodSpec::Direct(direct) if direct.root == Root::Newton => {
                 (0.0, normal::roots(frame, span, direct.newton_steps))
@@ -273,10 +276,14 @@ impl<'a> Limits<'a> {
             MethodSpec::Gouraud(gouraud) if gouraud.interpolation == Interpolation::Linear => {
                 ShareErrors {
                     diffuse: self.gouraud(pixel, light, reasons),
-                    specular: self.highlight_of_vertices(pixel, light, reasons),
+                    specular: self.highlight_of_vertices(gouraud, pixel, light, reasons),
                 }
             }
-            MethodSpec::Gouraud(_) => self.of_normal(&pixel.of_facet(), reasons),
+            MethodSpec::Gouraud(_) => {
+                let off = self.of_normal(&pixel.of_facet(), reasons);
+                reasons.extend((self.shape > NO_LENGTH).then_some(Reason::Shape));
+                ShareErrors { specular: off.specular + self.shape, ..off }
+            }
             MethodSpec::Reflection(spec) => {
                 let off = self.of_normal(&pixel.of_reflection(spec), reasons);
                 // The hybrid's highlight uses the interpolated normal.
@@ -374,18 +381,30 @@ impl<'a> Limits<'a> {
 
     /// The difference between the vertices' interpolated highlights and that of the normal, under
     /// lights at infinity.
-    fn highlight_of_vertices(&self, pixel: &Pixel, light: usize, reasons: &mut Vec<Reason>) -> f64 {
+    fn highlight_of_vertices(
+        &self,
+        gouraud: &GouraudSpec,
+        pixel: &Pixel,
+        light: usize,
+        reasons: &mut Vec<Reason>,
+    ) -> f64 {
         let Some(light) = self.light(light) else { return 1.0 };
-        let highlight = |normal: DVec3| match normal {
-            DVec3::ZERO => 0.0,
-            _ => power(reflect(normal).dot(light).min(1.0), self.n()),
+        let of_power = |normal: DVec3| power(reflect(normal).dot(light).min(1.0), self.n());
+        let of_shape = |normal: DVec3| {
+            let square = (reflect(normal) - light).length_squared();
+            f_k(f64::from(self.n()) / 2.0 * square, gouraud.squarings)
+        };
+        let highlight = |normal: DVec3| match (normal, gouraud.highlight) {
+            (DVec3::ZERO, _) => 0.0,
+            (_, Highlight::Power) => of_power(normal),
+            (_, Highlight::FK) => of_shape(normal),
         };
         let (normals, weights) =
             (&self.frame.triangles[self.span.triangle].normals, self.span.weights(pixel.i));
         let of_vertices: f64 =
             normals.iter().zip(weights).map(|(&normal, weight)| weight * highlight(normal)).sum();
         reasons.push(Reason::Vertices);
-        (of_vertices.clamp(0.0, 1.0) - highlight(pixel.truth)).abs()
+        (of_vertices.clamp(0.0, 1.0) - of_power(pixel.truth)).abs()
     }
 
     /// The direction to a light that Gouraud's vertices use: for lights at places, that of the

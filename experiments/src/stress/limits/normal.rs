@@ -3,7 +3,7 @@ use glam::DVec3;
 use specula_golden::exact::formula::normalisation::gain;
 use specula_golden::exact::formula::slerp;
 use specula_golden::exact::formula::wrap;
-use specula_scene::{Frame, Span, Wrap};
+use specula_scene::{Arc, Frame, Span, Wrap};
 use specula_spec::lyon::{NormalWrap, Normals};
 use specula_spec::{LyonSpec, ReflectionSpec, SlerpSpec};
 
@@ -141,7 +141,9 @@ impl Pixel<'_> {
 
     /// The normal of slerp.
     pub fn of_slerp(&self, spec: &SlerpSpec) -> Normal {
-        let (chord, rotation) = (self.chord(), spec.arc_rotation(self.frame, self.span));
+        let rotation = spec.arc_rotation(self.frame, self.span);
+        let Arc { start, end, .. } = spec.arc(self.frame, self.span);
+        let chord = start.lerp(end, self.t());
         let off = angle(chord, self.truth);
         if rotation.is_linear {
             let length = chord.length();
@@ -151,7 +153,6 @@ impl Pixel<'_> {
                 reasons: vec![Reason::Chord],
             };
         }
-        let [start, end] = self.frame.unit_end_normals(self.span);
         let between = angle(start, end);
         if between > std::f64::consts::PI - NO_ANGLE {
             return Normal::unknown(Reason::Arc);

@@ -206,6 +206,30 @@ static inline @real @angle(struct @vector a, struct @vector b, struct @vector ax
 static inline @real @sin(@real x) { return (@real)sin((double)x); }
 === cos
 static inline @real @cos(@real x) { return (@real)cos((double)x); }
+=== at_share
+/* The unit normal at a share of an arc, 0 to 1, from a to b. */
+static inline struct @vector @at_share(
+    struct @vector a, struct @vector b, struct @vector across, @real angle, @real share) {
+  const @real turn = share * angle;
+  if (share <= 0) return a;
+  return share >= 1 ? b : @plus(@times(a, @cos(turn)), @times(across, @sin(turn)));
+}
+=== slerp
+/* The unit normal at a share of the way from a to b, 0 to 1; where one of them is 0, the other. */
+static inline struct @vector @slerp(struct @vector a, struct @vector b, @real share) {
+  const struct @vector start = @or_else(a, b);
+  const struct @vector end = @or_else(b, a);
+  const struct @vector axis = @cross(start, end);
+  if (share <= 0) return start;
+  return @at_share(start, end, @across(start, end, axis), @angle(start, end, axis), share);
+}
+=== on_edge
+/* The unit normal on an edge of a triangle, at barycentric weights of which one is 0, by slerp. */
+static inline struct @vector @on_edge(
+    struct @vector a, struct @vector b, struct @vector c, const @real weights[3]) {
+  const @real share = weights[1] > 0 ? weights[1] / (weights[0] + weights[1]) : 0;
+  return @slerp(@slerp(a, b, share), c, weights[2]);
+}
 === is_narrow
 /* Below 10 degrees normals are interpolated linearly. */
 static inline bool @is_narrow(@real angle) {
@@ -293,6 +317,20 @@ static inline @real @highlight(
   const struct @vector reflected = @minus(@times(n, 2 * @dot(n, eye)), eye);
   const @real base = @share(@dot(reflected, @load(direction)));
   return @is_zero(n) ? 0 : (@real)pow((double)base, (double)shininess);
+}
+=== lobe
+/* Lyon's f_k(n/2 D.D) of a unit normal, with D = R - L and R = 2(N.V)N - V; 0 where there is no
+   normal. f_k(x) = (1 - x/2^k)^(2^k), 0 from x = 2^k on; k is the number of squarings, 0 to 4. */
+static inline @real @lobe(
+    const @real normal[3], const @real direction[3], @real shininess, int squarings) {
+  const struct @vector n = @load(normal);
+  const struct @vector eye = @eye();
+  const struct @vector reflected = @minus(@times(n, 2 * @dot(n, eye)), eye);
+  const struct @vector d = @minus(reflected, @load(direction));
+  const @real factors = (@real)(1 << squarings);
+  @real shape = @larger(1 - shininess * @dot(d, d) / (2 * factors), 0);
+  for (; squarings > 0; --squarings) shape *= shape;
+  return @is_zero(n) ? 0 : shape;
 }
 === rational_angle
 /* The angle of a vertex's cone in quarter turns, from the smallest cosine between its axis and the

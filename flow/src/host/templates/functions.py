@@ -169,6 +169,23 @@ def @sin(x):
 === cos
 def @cos(x):
     return np.cos(x)
+=== at_share
+def @at_share(a, b, across, angle, share):
+    """The unit normal at a share of an arc, 0 to 1, from a to b."""
+    turn = share * angle
+    between = a * np.cos(turn) + across * np.sin(turn)
+    return np.where(share <= 0, a, np.where(share >= 1, b, between))
+=== slerp
+def @slerp(a, b, share):
+    """The unit normal at a share of the way from a to b, 0 to 1; where one of them is 0, the other."""
+    start, end = @or_else(a, b), @or_else(b, a)
+    axis = @cross(start, end)
+    return @at_share(start, end, @across(start, end, axis), @angle(start, end, axis), share)
+=== on_edge
+def @on_edge(a, b, c, weights):
+    """The unit normal on an edge of a triangle, at barycentric weights of which one is 0, by slerp."""
+    share = np.where(weights[1] > 0, weights[1] / (weights[0] + weights[1]), 0.0)
+    return @slerp(@slerp(a, b, share), c, weights[2])
 === is_narrow
 def @is_narrow(angle):
     """Below 10 degrees normals are interpolated linearly."""
@@ -246,6 +263,17 @@ def @highlight(normal, direction, shininess):
     eye = np.array([0.0, 0.0, 1.0]).reshape((3,) + (1,) * (n.ndim - 1))
     reflected = n * (2 * n[2]) - eye
     return np.where(@is_zero(n), 0.0, @share(@dot(reflected, l)) ** shininess)
+=== lobe
+def @lobe(normal, direction, shininess, squarings):
+    """Lyon's f_k(n/2 D.D) of unit normals, with D = R - L and R = 2(N.V)N - V; 0 where there is no
+    normal. f_k(x) = (1 - x/2^k)^(2^k), 0 from x = 2^k on; k is the number of squarings, 0 to 4."""
+    n, l = _components(normal), _components(direction)
+    eye = np.array([0.0, 0.0, 1.0]).reshape((3,) + (1,) * (n.ndim - 1))
+    d = n * (2 * n[2]) - eye - l
+    shape = @larger(1 - shininess * @dot(d, d) / (2 * 2.0**squarings), 0.0)
+    for _ in range(squarings):
+        shape = shape * shape
+    return np.where(@is_zero(n), 0.0, shape)
 === rational_angle
 def @rational_angle(cosine):
     """The angles of vertices' cones in quarter turns, from the smallest cosine between an axis and

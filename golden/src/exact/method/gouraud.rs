@@ -1,15 +1,15 @@
 //! Intensities of the vertices or of the polygon, without rounding [lecture, eq. 2.1 and 3.2 to
-//! 3.6; methods A3, A4].
+//! 3.6; Lyon, figure 1; methods A3, A4 and B].
 use glam::DVec3;
 use specula_scene::{Facet, Frame, Span};
 use specula_spec::GouraudSpec;
-use specula_spec::gouraud::Interpolation;
+use specula_spec::gouraud::{Highlight, Interpolation};
 
 use super::ShadeSpan;
 use super::coefficients::{Amounts, Coefficients};
 use crate::exact::formula::diffuse::lambert;
 use crate::exact::formula::illumination::{self, Illumination};
-use crate::exact::formula::shape::power;
+use crate::exact::formula::shape::{f_k, power};
 
 /// One span, shaded by `gouraud`.
 pub struct GouraudSpan<'a> {
@@ -39,7 +39,7 @@ impl<'a> GouraudSpan<'a> {
         };
         let at_points: Vec<Vec<Amounts>> = points
             .into_iter()
-            .map(|(n, place)| amounts(frame, shininess, n, place).collect())
+            .map(|(n, place)| amounts(spec, frame, shininess, n, place).collect())
             .collect();
         let lights = (0..frame.light_colours().count())
             .map(|light| at_points.iter().map(|point| point[light]).collect());
@@ -71,6 +71,7 @@ impl ShadeSpan for GouraudSpan<'_> {
 
 /// The amounts of each light at a place with the normal `normal`.
 fn amounts(
+    spec: &GouraudSpec,
     frame: &Frame,
     shininess: u32,
     normal: DVec3,
@@ -81,15 +82,24 @@ fn amounts(
         Some(Illumination { direction, share }) => Amounts {
             diffuse: share * lambert(normal, direction),
             specular: share
-                * view.map_or(0.0, |view| highlight(normal, direction, view, shininess)),
+                * view.map_or(0.0, |view| highlight(spec, normal, direction, view, shininess)),
         },
         None => Amounts::default(),
     };
     illumination::lights_from(frame, place).map(of)
 }
 
-/// max(R·L, 0)^n; 0 where there is no normal.
-fn highlight(normal: DVec3, light: DVec3, view: DVec3, shininess: u32) -> f64 {
+/// max(R·L, 0)^n, or f_k(n/2 D·D) of D = R - L; 0 where there is no normal.
+fn highlight(spec: &GouraudSpec, normal: DVec3, light: DVec3, view: DVec3, shininess: u32) -> f64 {
     let reflection = 2.0 * normal.dot(view) * normal - view;
-    if normal == DVec3::ZERO { 0.0 } else { power(reflection.dot(light).min(1.0), shininess) }
+    if normal == DVec3::ZERO {
+        return 0.0;
+    }
+    match spec.highlight {
+        Highlight::Power => power(reflection.dot(light).min(1.0), shininess),
+        Highlight::FK => {
+            let x = f64::from(shininess) / 2.0 * (reflection - light).length_squared();
+            f_k(x, spec.squarings)
+        }
+    }
 }

@@ -1,8 +1,8 @@
 //! Spherical interpolation along the scan line, without rounding [lecture, eq. 4.7; methods A8
 //! to A11].
 use glam::DVec3;
-use specula_scene::frame::{Arc, EYE};
-use specula_scene::{Frame, Span};
+use specula_scene::frame::EYE;
+use specula_scene::{Arc, Frame, Span};
 use specula_spec::SlerpSpec;
 
 use super::ShadeSpan;
@@ -28,7 +28,7 @@ impl<'a> SlerpSpan<'a> {
         let chord = rotation.is_linear.then_some(rotation.axes);
         SlerpSpan {
             span,
-            arc: frame.arc(span),
+            arc: slerp.arc(frame, span),
             chord,
             shininess,
             coefficients: Coefficients::new(frame, span),

@@ -1,6 +1,7 @@
 //! The loops, by name.
 use specula_scene::{Frame, Span};
 
+use super::arc_edges::ArcEdges;
 use super::looped::Loop;
 use super::placed::PlacedLoop;
 use super::set_up::{
@@ -33,16 +34,19 @@ pub enum Places {
     /// Lights and eye at places, with directions computed at each pixel; without places another
     /// loop does the same.
     Local,
+    /// Lights and eye at infinity.
+    Infinite,
     /// Lights and eye anywhere. Directions to those at places are computed before the loop: at
     /// vertices, at polygons, or in the middle of each span.
     Any,
 }
 
 impl Method {
-    /// Whether no other loop does the same with a frame.
+    /// Whether it shades a frame, and no other loop does the same with it.
     pub fn serves(&self, frame: &Frame) -> bool {
         match self.places {
             Places::Local => !frame.directions_are_constant(),
+            Places::Infinite => frame.directions_are_constant(),
             Places::Any => true,
         }
     }
@@ -57,7 +61,7 @@ impl Method {
 }
 
 /// Every method.
-pub const METHODS: [Method; 39] = [
+pub const METHODS: [Method; 40] = [
     anywhere("uniform", |mesh| Box::new(Loop::<Polygons>::new(mesh))),
     anywhere("gouraud", |mesh| Box::new(Loop::<Vertices>::new(mesh))),
     method::<Phong<f32>>("phong"),
@@ -69,6 +73,11 @@ pub const METHODS: [Method; 39] = [
     method::<FastPhong<f32, 1>>("fast-phong"),
     method::<FastPhong<f32, 2>>("fast-phong-2"),
     arc::<Slerp<f32>>("slerp"),
+    Method {
+        name: "slerp-edges",
+        places: Places::Infinite,
+        of_mesh: |mesh| Box::new(Loop::<ArcEdges<Slerp<f32>>>::new(mesh)),
+    },
     arc::<FrameSlerp<f32>>("slerp-frame"),
     arc::<Chebyshev<f32>>("chebyshev"),
     method::<LyonCross<f32>>("lyon"),

@@ -5,6 +5,7 @@
 //! The three are separate functions, so that their times can be measured separately. Nothing is
 //! allocated for a span.
 mod along_span;
+mod arc_edges;
 mod linear;
 mod looped;
 mod mesh;

@@ -99,7 +99,7 @@ impl<'a, S: Scheme<f32>, W: Serves> SetUp<'a> for Where<'a, S, W> {
 }
 
 /// The scheme where it serves, and Phong's elsewhere.
-fn or_phong<S: Scheme<f32>>(serves: bool, line: &Line, light: DVec3) -> OrPhong<S> {
+pub(super) fn or_phong<S: Scheme<f32>>(serves: bool, line: &Line, light: DVec3) -> OrPhong<S> {
     if serves {
         OrPhong::Scheme(S::new(line, light))
     } else {
