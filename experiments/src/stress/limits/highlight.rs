@@ -6,7 +6,7 @@ use specula_golden::exact::formula::normalisation::{g2, unit};
 use specula_golden::exact::formula::reflection::{
     halfway, halfway_cross_normal, projection, reflect,
 };
-use specula_golden::exact::formula::shape::{f_k, power};
+use specula_golden::exact::formula::shape::{lobe, power};
 use specula_spec::LyonSpec;
 use specula_spec::lyon::{Difference, Halfway};
 use specula_spec::phong::Highlight;
@@ -22,14 +22,14 @@ pub enum Lobe {
     Phong,
     /// One of the twelve formulations of Lyon's appendix.
     Formula(Formulation),
-    /// f_k of one of Lyon's differences.
+    /// (1 - x/K)^K of one of Lyon's differences.
     Shape {
         /// The vector D.
         difference: Difference,
         /// The half-way vector in it.
         halfway: Halfway,
-        /// The number k of squarings.
-        squarings: u32,
+        /// K.
+        factors: u32,
     },
     /// A highlight without a formula here.
     Unknown,
@@ -49,14 +49,12 @@ impl Lobe {
     /// Blinn's highlight.
     pub const BLINN: Lobe = Lobe::Formula(Formulation::Blinn);
 
-    /// The highlight of `lyon`. For R - L and the light's reflection, the difference between f_k
-    /// and the power is a separate law.
+    /// The highlight of `lyon`. For R - L and the light's reflection, the difference between the
+    /// shape and the power is a separate law.
     pub fn of_lyon(lyon: &LyonSpec) -> Lobe {
         match lyon.difference {
             Difference::ReflectionMinusLight | Difference::LightReflection => Lobe::Phong,
-            difference => {
-                Lobe::Shape { difference, halfway: lyon.halfway, squarings: lyon.squarings }
-            }
+            difference => Lobe::Shape { difference, halfway: lyon.halfway, factors: lyon.terms() },
         }
     }
 
@@ -67,8 +65,8 @@ impl Lobe {
             Lobe::Unknown => return None,
             _ if halfway(light).length() < SHORTEST_HALFWAY => return None,
             Lobe::Formula(row) => formulation(row, n, normal, light),
-            Lobe::Shape { difference, halfway, squarings } => {
-                shape(difference, halfway, squarings, n, normal, light)?
+            Lobe::Shape { difference, halfway, factors } => {
+                shape(difference, halfway, factors, n, normal, light)?
             }
         };
         Some((own - power(reflect(normal).dot(light).min(1.0), n)).abs())
@@ -78,7 +76,7 @@ impl Lobe {
 fn shape(
     difference: Difference,
     kind: Halfway,
-    squarings: u32,
+    factors: u32,
     n: u32,
     normal: DVec3,
     light: DVec3,
@@ -97,5 +95,5 @@ fn shape(
         Difference::UnitHalfwayProjection => (projection(normal, about_unit), 4.0),
         Difference::ReflectionMinusLight | Difference::LightReflection => return None,
     };
-    Some(f_k(factor * half_exponent * d.length_squared(), squarings))
+    Some(lobe(factor * half_exponent * d.length_squared(), factors))
 }

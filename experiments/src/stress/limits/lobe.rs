@@ -1,7 +1,7 @@
 //! The effect of an angle or a length on a cosine and on a highlight.
 use std::f64::consts::PI;
 
-use specula_golden::exact::formula::shape::f_k;
+use specula_golden::exact::formula::shape::lobe;
 
 /// |u - v| of unit vectors that are `angle` radians apart: no cosine with a unit vector differs by
 /// more.
@@ -32,14 +32,15 @@ pub fn shape_change(length: f64, n: u32) -> f64 {
 /// f_k; between them neither curve changes by as much as a thousandth.
 const PLACES: u32 = 512;
 
-/// The largest |f_k(n (1 - cos a)) - max(cos a, 0)^n| over all angles [numerics N2a].
-pub fn shape_error(n: u32, squarings: u32) -> f64 {
+/// The largest |(1 - x/K)^K - max(cos a, 0)^n|, x = n (1 - cos a), over all angles, of K = `factors`
+/// [numerics N2a].
+pub fn shape_error(n: u32, factors: u32) -> f64 {
     // Both curves are nearly 0 at eight times the lobe's own width.
     let widest = (8.0 / f64::from(n).sqrt()).min(PI);
     let places = (0..=PLACES).map(|place| (widest * f64::from(place) / f64::from(PLACES)).cos());
-    let foot = 1.0 - f64::from(1 << squarings) / f64::from(n);
+    let foot = 1.0 - f64::from(factors) / f64::from(n);
     let off = |cosine: f64| {
-        (f_k(f64::from(n) * (1.0 - cosine), squarings) - cosine.max(0.0).powf(f64::from(n))).abs()
+        (lobe(f64::from(n) * (1.0 - cosine), factors) - cosine.max(0.0).powf(f64::from(n))).abs()
     };
     places.chain([foot.max(-1.0)]).map(off).fold(0.0, f64::max)
 }
@@ -61,9 +62,9 @@ mod tests {
             (8000, 0, 0.3679),
         ] {
             assert!(
-                (shape_error(n, k) - off).abs() < 0.001,
+                (shape_error(n, 1 << k) - off).abs() < 0.001,
                 "n = {n}, k = {k}: {}",
-                shape_error(n, k)
+                shape_error(n, 1 << k)
             );
         }
     }

@@ -98,10 +98,10 @@ impl<'a> Limits<'a> {
         let n = frame.material(span).shininess;
         let (shape, accumulated) = match &spec.method {
             MethodSpec::Lyon(lyon) => {
-                (shape_error(n, lyon.squarings), normal::lags(frame, span, lyon))
+                (shape_error(n, lyon.terms()), normal::lags(frame, span, lyon))
             }
             MethodSpec::Gouraud(gouraud) if gouraud.highlight == Highlight::FK => {
-                (shape_error(n, gouraud.squarings), Vec::new())
+                (shape_error(n, 1 << gouraud.squarings), Vec::new())
             }
             MethodSpec::Direct(direct) if direct.root == Root::Newton => {
                 (0.0, normal::roots(frame, span, direct.newton_steps))
