@@ -89,18 +89,18 @@ mod tests {
     use super::super::requirement::RowVerdict;
     use super::*;
 
-    /// A light a quarter of a unit from a wall: wrapped directions have an error of 191 LSB, which
-    /// is reported as a limit, and the row's requirement names the cores that it applies to.
+    /// A light a quarter of a unit from a wall: wrapped directions would have an error of 191 LSB, so
+    /// that cores have true ones there, and wrapped ones where the light is far away.
     #[test]
-    fn places_wrapped_are_at_a_limit_near_a_wall() {
+    fn places_are_wrapped_only_where_that_serves() {
         let row = CATALOGUE.iter().find(|row| row.id == "40").expect("it is in the catalogue");
         let extent = TrialExtent { every_option: true, ..TrialExtent::SMALL };
         let cell = tried(row, Some(Method::Phong), &mut Draw::new(1, 0), extent);
-        assert_eq!(cell.verdict(), Some(RowVerdict::Limit));
+        assert_ne!(cell.verdict(), Some(RowVerdict::Fault));
         let wrapped =
             cell.asked.iter().filter(|asked| asked.reasons.contains(&Reason::WrappedPlaces));
         let worst = wrapped.map(|asked| asked.came).fold(0.0, f64::max);
-        assert!((191.0..192.0).contains(&worst), "{worst}");
+        assert!(worst < 4.0, "{worst}");
         let besides =
             cell.asked.iter().filter(|asked| asked.of_row).map(|asked| asked.what.as_str());
         let besides: Vec<&str> = besides.collect();

@@ -209,7 +209,8 @@ mod tests {
     fn lights_at_places_have_loops_of_their_own() {
         let scene = specula_scene::load("lamps", Some((32, 24))).unwrap();
         let rows = measure(&scene.frame, SHORT, &mut || ());
-        assert_eq!(rows.len(), METHODS.len());
+        let served = METHODS.iter().filter(|method| method.serves(&scene.frame)).count();
+        assert!(rows.len() == served && served > 30, "{rows:?}");
         let of = |name: &str| rows.iter().find(|row| row.name == name).unwrap();
         assert!(rows.iter().all(|row| row.pixel_ns > 0.0 && row.set_up_ns > 0.0), "{rows:?}");
         assert_eq!(of("phong-places").ratio_to_phong, 1.0);

@@ -1,5 +1,6 @@
 //! Lights and eyes at places.
 use glam::DVec3;
+use specula_spec::lyon::Normalisation;
 use specula_spec::phong::{Highlight, Places};
 use specula_spec::{CoreSpec, MethodSpec};
 
@@ -36,9 +37,15 @@ fn is_wrapped(spec: &CoreSpec) -> bool {
     }
 }
 
-/// Whether the core sees places from every pixel; `hybrid` does so for its highlights alone.
+/// Whether the core sees places from every pixel, along directions of about unit length. `hybrid`
+/// does so for its highlights alone.
 fn follows_ways(spec: &CoreSpec) -> bool {
-    spec.follows_ways() && !matches!(spec.method, MethodSpec::Phong(_) | MethodSpec::Hybrid(_))
+    let is_asked = match &spec.method {
+        MethodSpec::Phong(_) | MethodSpec::Hybrid(_) => false,
+        MethodSpec::Lyon(lyon) => lyon.normalisation != Normalisation::None,
+        _ => true,
+    };
+    spec.follows_ways() && is_asked
 }
 
 /// Row 39.
