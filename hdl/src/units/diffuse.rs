@@ -6,11 +6,11 @@ use super::clamp::{to_nonnegative, to_unit_interval};
 use crate::error;
 use specula_datapath::builder::{Builder, Sig, Vector};
 
-/// Lambert's cosine, I = max(N·L, 0). [Lyon, TR 43; methods B]
+/// Lambert's cosine, I = max(N·L, 0), of vectors that are known to be no longer than about 1. [Lyon,
+/// TR 43; methods B]
 pub fn diffuse(b: &Builder, n: &Vector, l: &Vector, formats: &LyonFormats) -> Sig {
     b.unit("diffuse", "I = max(N.L, 0) [Lambert]", (("n", n), ("l", l)), |_, (n, l)| {
-        // A rounded unit vector is longer than 1 by √3/2 units of the last place at most.
-        let lengths = (n.longest(), 1.0 + formats.vector.ulp());
+        let lengths = (n.longest(), l.longest());
         let bits = formats.product.fraction_bits;
         let cosine = n.truncated_dot_within(&l, bits, lengths, "|N.L| <= |N||L|");
         to_nonnegative(&cosine, formats.diffuse.fraction_bits).named("intensity")
