@@ -152,9 +152,10 @@ impl Pixel<'_> {
         match (&light.way, &light.direction) {
             (Some(way), _) => self.arriving(index, way, exponent),
             (None, Some(direction)) => {
-                let halfway = light.halfway.clone().map(Vector::new);
-                let direction = Vector::new(direction.clone());
-                self.intensities(index, &direction, halfway.as_ref(), exponent)
+                let longest = 1.0 + self.consistent.formats.vector.ulp();
+                let sent = |vector: &[Sig; 3]| Vector::new(vector.clone()).no_longer_than(longest);
+                let halfway = light.halfway.as_ref().map(sent);
+                self.intensities(index, &sent(direction), halfway.as_ref(), exponent)
             }
             (None, None) => unreachable!("`ConsistentSpec` gives each light one of both"),
         }

@@ -181,7 +181,9 @@ impl Pixel<'_> {
         let (view, is_seen) = self.view;
         let (l, exists) = direction(self.ways, self.lyon, &called("way"), &light.way);
         let halfway = match (self.lyon.difference, self.lyon.halfway) {
-            (difference, _) if difference.takes_halfway() => Some(&l + view),
+            (difference, _) if difference.takes_halfway() => {
+                Some((&l + view).no_longer_than(l.longest() + view.longest()))
+            }
             (difference, halfway) if difference.takes_unit_halfway() => {
                 let half = self.ways.half_sum(&l, view);
                 Some(b.instance(&called("halfway_normalise"), || match halfway {

@@ -18,13 +18,13 @@ pub struct Difference {
 /// H × N with H = L + V.
 ///
 /// ```text
-/// |H × N|           ≤ |H||N|,   |H| ≤ 2 but for rounding
+/// |H × N|           ≤ |H||N|,   |H| ≤ 2 but for rounding and for what L and V are longer than 1
 /// |H' × N' - H × N| ≤ |H| e_N + |N| e_H + e_H e_N + √3 t
 /// ```
 ///
 /// for products that truncation makes smaller by less than t, `truncated`: a component is off by less.
 pub fn cross_product([h, n]: [VectorBound; 2], vector: Format, truncated: f64) -> Difference {
-    let longest_h = 2.0 + 2.0 * vector.ulp();
+    let longest_h = h.longest.max(2.0 + 2.0 * vector.ulp());
     let (e_h, e_n) = (h.error.length, n.error.length);
     let truncated = 3f64.sqrt() * truncated;
     Difference {
@@ -36,11 +36,11 @@ pub fn cross_product([h, n]: [VectorBound; 2], vector: Format, truncated: f64) -
 
 /// 2(n·v)n - v - l: the unit vector v reflected about n, less the unit vector l.
 ///
-/// It is no longer than the reflection and 1. The reflection exceeds 1 no more than |n|² does, and
-/// rounding each component adds to that.
+/// It is no longer than the reflection and l as they come, and what rounding each component adds.
 ///
 /// ```text
-/// 2(n·v)n = |n|² (R + v)   for the reflection R about n's direction
+/// 2(n·v)n     = |n|² (R + v)   for the reflection R about n's direction
+/// |2(n·v)n-v| ≤ |v| max(1, 2|n|² - 1)
 /// ```
 ///
 /// With n' off by a across and λ along n:
@@ -64,7 +64,10 @@ pub fn reflection(
     let of_vectors =
         v.error.length * (2.0 * (n.longest + along).powi(2) - 1.0).max(1.0) + l.error.length;
     Difference {
-        longest: 2.0 * n.longest * n.longest + 8.0 * vector.ulp() + 8.0 * ulp,
+        longest: v.longest * (2.0 * n.longest * n.longest - 1.0).max(1.0)
+            + l.longest
+            + 7.0 * vector.ulp()
+            + 8.0 * ulp,
         error: of_n + of_vectors + 0.5 * n.longest * ulp,
         proof: "error::difference::reflection",
     }

@@ -31,7 +31,9 @@ pub fn consistent_reflection(
         |b, (n, incoming, q)| {
             let fraction_bits = formats.cosine.fraction_bits;
             let one = b.integer(1);
-            let lengths = (n.longest(), 1.0 + formats.vector.ulp());
+            // A vector that the host rounded is longer than 1 by √3/2 units of the last place at most;
+            // a direction to a place may be longer.
+            let lengths = (n.longest(), incoming.longest().max(1.0 + formats.vector.ulp()));
             let cosine = n.dot_within(&incoming, lengths, "|N.I| <= |N||I|").rounded(fraction_bits);
             let cos_beta = cosine.clamped_below(-1).clamped_above(1).named("cos_beta"); // S1.f
             let cos_gamma =
