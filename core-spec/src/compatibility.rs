@@ -5,7 +5,6 @@ use specula_scene::needs::{LocalKind, Needs};
 
 use crate::core_spec::CoreSpec;
 use crate::error::SpecError;
-use crate::method::MethodSpec;
 use crate::parameters::{CoreParameters, FULL_SCALE};
 use crate::specialisation::Given;
 use crate::specialise::GivenValues;
@@ -33,9 +32,6 @@ impl CoreSpec {
         self.parameters.check_lights(&needs)?;
         self.parameters.check_sizes(&needs)?;
         self.method.shading().check_compatible(&needs)?;
-        if let MethodSpec::Phong(phong) = &self.method {
-            phong.check_wraps(&needs)?;
-        }
         let mut frame = frame.clone();
         let dark = DirectionalLight { direction: EYE, colour: DARK };
         frame.lights.resize(self.parameters.lights_at_infinity(), dark);

@@ -18,6 +18,10 @@ pub(crate) const UNIT: Format = Format::unsigned(1, 0);
 /// `S1`, of whatever fraction bits.
 pub(crate) const SIGNED_UNIT: Format = Format::signed(1, 0);
 
+/// What the weight is that vectors are interpolated with, for [`NarrowingPoint::weight`].
+pub(crate) const INTERPOLATION_WEIGHT: [&str; 2] =
+    ["step of the interpolation weight, rounded by the host", "interpolation weight a"];
+
 /// A place where values are rounded, in the core or by the host.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NarrowingPoint {
@@ -77,6 +81,21 @@ impl NarrowingPoint {
             because: ", since the longest span adds up its error",
             ..NarrowingPoint::rounded(name, format, shape, value)
         }
+    }
+
+    /// A weight that grows from 0 to 1 along a span, and before it its accumulator, whose step 1/S the
+    /// host rounds; `values` say what both are.
+    pub(crate) fn weight(
+        [accumulator, weight]: [Format; 2],
+        span_bits: u32,
+        values: [&'static str; 2],
+    ) -> [NarrowingPoint; 2] {
+        let [step, value] = values;
+        let linear = (1, span_bits);
+        [
+            NarrowingPoint::accumulated("weight_accumulator", accumulator, UNIT, linear, step),
+            NarrowingPoint::rounded("weight", weight, UNIT, value).no_finer_than(accumulator),
+        ]
     }
 
     /// One that has no more fraction bits than it was `from`.

@@ -1,6 +1,7 @@
 //! Cores as files, and cores for scenes that they were not made for.
-use specula_scene::{Frame, SceneError, builtin_names, load, parse};
-use specula_spec::{CoreSpec, Method, SceneCore, SpecError, SpecFile, TargetClock};
+use specula_scene::{Frame, Needs, SceneError, builtin_names, load, parse};
+use specula_spec::phong::Places;
+use specula_spec::{CoreSpec, Method, MethodSpec, SceneCore, SpecError, SpecFile, TargetClock};
 
 const SIZE: Option<(u32, u32)> = Some((48, 36));
 
@@ -226,4 +227,31 @@ fn the_page_has_every_key() {
         assert_eq!(sorted(quoted(row[1])), sorted(options), "{}", method.name());
         assert_eq!(sorted(quoted(row[2])), sorted(formats), "{}", method.name());
     }
+}
+
+/// A lamp that comes near to a polygon: a core that is there with wrapped directions refuses it, and
+/// one that is asked for has true ones.
+#[test]
+fn wraps_are_for_scenes_that_they_serve() {
+    let far = load("lamps", Some((80, 60))).unwrap().frame;
+    let table = "[phong]\nplaces = \"wrapped\"".parse().unwrap();
+    let asked = |frame: &Frame| {
+        CoreSpec::for_scene(&Needs::of(frame), Some(&table), Some(Method::Phong)).unwrap()
+    };
+    let places = |spec: &CoreSpec| match &spec.method {
+        MethodSpec::Phong(phong) => phong.places,
+        _ => panic!("it is phong"),
+    };
+    let spec = asked(&far);
+    assert_eq!(places(&spec), Places::Wrapped);
+    assert!(spec.fit_to(&far).is_ok());
+
+    let longest = far.spans.iter().max_by_key(|span| span.length).unwrap();
+    let middle = [0, 1, 2].map(|v| f64::midpoint(longest.start[v], longest.end[v]));
+    let mut near = far.clone();
+    near.local_lights[0].position =
+        far.position_at(longest, middle) + 0.02 * far.normal_at(longest, middle);
+    let refused = spec.fit_to(&near).unwrap_err().to_string();
+    assert!(refused.contains("its directions to places are wrapped"), "{refused}");
+    assert_eq!(places(&asked(&near)), Places::Exact);
 }

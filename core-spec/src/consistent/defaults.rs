@@ -9,7 +9,9 @@ use super::{
 use crate::defaults::{exponent_bits, span_bits};
 use crate::error::SpecError;
 use crate::method_set_up::SetUpSpan;
-use crate::narrowing::{MOST_FRACTION_BITS, NarrowingPoint, SIGNED_UNIT, UNIT};
+use crate::narrowing::{
+    INTERPOLATION_WEIGHT, MOST_FRACTION_BITS, NarrowingPoint, SIGNED_UNIT, UNIT,
+};
 use crate::power::Power;
 use crate::shading_method::{DirectionOutput, OptionDomain, ShadingMethod, Viewpoint};
 use crate::ways::{self, Places};
@@ -103,14 +105,12 @@ impl ShadingMethod for ConsistentSpec {
         } = &self.formats;
         let (point, accumulated, linear) =
             (NarrowingPoint::rounded, NarrowingPoint::accumulated, (1, span_bits));
-        let (weights, angles) = (
-            "step of the interpolation weight, rounded by the host",
-            "start and step of t, rounded up by the host",
-        );
+        let angles = "start and step of t, rounded up by the host";
+        let [step, interpolation] =
+            NarrowingPoint::weight([weight_accumulator, weight], span_bits, INTERPOLATION_WEIGHT);
         let points = vec![
-            accumulated("weight_accumulator", weight_accumulator, UNIT, linear, weights),
-            point("weight", weight, UNIT, "interpolation weight a")
-                .no_finer_than(weight_accumulator),
+            step,
+            interpolation,
             point(
                 "vector",
                 vector,

@@ -78,18 +78,12 @@ impl ShadingMethod for DirectSpec {
             shape: _,
         } = &self.formats;
         let point = NarrowingPoint::rounded;
-        let accumulated = "step of t, rounded by the host";
         // `check_options` limits the integer bits.
         let reach = Format::unsigned(reciprocal.integer_bits, 0);
-        let mut points = vec![
-            NarrowingPoint::accumulated(
-                "weight_accumulator",
-                weight_accumulator,
-                UNIT,
-                (1, span_bits),
-                accumulated,
-            ),
-            point("weight", weight, UNIT, "t").no_finer_than(weight_accumulator),
+        let values = ["step of t, rounded by the host", "t"];
+        let mut points =
+            NarrowingPoint::weight([weight_accumulator, weight], span_bits, values).to_vec();
+        points.extend([
             point("product", product, UNIT, "t (1 - t)"),
             point("spread", spread, Format::unsigned(3, 0), "|B - A|^2, rounded by the host"),
             point(
@@ -101,7 +95,7 @@ impl ShadingMethod for DirectSpec {
             // A reciprocal root tells 4^-m from 0.
             point("length_squared", length_squared, UNIT, "q = N.N")
                 .with_at_least(2 * LARGEST_REACH),
-        ];
+        ]);
         if self.root == Root::Newton {
             // 4^-m has the root 2^-m.
             points.push(

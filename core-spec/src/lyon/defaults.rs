@@ -11,7 +11,8 @@ use crate::error::{SpecError, within};
 use crate::increments::Increments;
 use crate::method_set_up::SetUpSpan;
 use crate::narrowing::{
-    FEWEST_FRACTION_BITS, MOST_FRACTION_BITS, NarrowingPoint, SIGNED_UNIT, UNIT,
+    FEWEST_FRACTION_BITS, INTERPOLATION_WEIGHT, MOST_FRACTION_BITS, NarrowingPoint, SIGNED_UNIT,
+    UNIT,
 };
 use crate::parameters::FULL_SCALE;
 use crate::shading_method::{OptionDomain, ShadingMethod, Viewpoint};
@@ -232,23 +233,15 @@ impl LyonSpec {
             points.extend(self.normalisation_points());
             return points;
         }
-        let accumulated = "step of the interpolation weight, rounded by the host";
         // What is carried from pixel to pixel stays near unit length only where rounding is fine.
         let fewest = if self.follows() { FEWEST_TO_FOLLOW } else { FEWEST_FRACTION_BITS };
         let mut points = match self.increments {
-            Increments::Multiplied => vec![
-                NarrowingPoint::accumulated(
-                    "weight_accumulator",
-                    f.weight_accumulator,
-                    UNIT,
-                    (1, span_bits),
-                    accumulated,
-                )
-                .with_at_least(fewest),
-                point("weight", f.weight, UNIT, "interpolation weight a")
-                    .no_finer_than(f.weight_accumulator)
-                    .with_at_least(fewest),
-            ],
+            Increments::Multiplied => {
+                let formats = [f.weight_accumulator, f.weight];
+                NarrowingPoint::weight(formats, span_bits, INTERPOLATION_WEIGHT)
+                    .map(|point| point.with_at_least(fewest))
+                    .to_vec()
+            }
             Increments::Added => {
                 vec![self.span_vectors().accumulator_point("normal_accumulator", span_bits)]
             }

@@ -5,9 +5,10 @@ use specula_scene::needs::Needs;
 
 use super::{Highlight, PhongFormats, PhongSpec, Places};
 use crate::defaults::span_bits;
+use crate::error::SpecError;
 use crate::increments::Increments;
 use crate::method_set_up::SetUpSpan;
-use crate::narrowing::{NarrowingPoint, SIGNED_UNIT, UNIT};
+use crate::narrowing::{INTERPOLATION_WEIGHT, NarrowingPoint, SIGNED_UNIT, UNIT};
 use crate::shading_method::{OptionDomain, ShadingMethod, Viewpoint};
 use crate::ways::vector_accumulator_for_spans;
 
@@ -80,19 +81,11 @@ impl ShadingMethod for PhongSpec {
             shape,
         } = &self.formats;
         let point = NarrowingPoint::rounded;
-        let accumulated = "step of the interpolation weight, rounded by the host";
         let mut points = match self.increments {
-            Increments::Multiplied => vec![
-                NarrowingPoint::accumulated(
-                    "weight_accumulator",
-                    weight_accumulator,
-                    UNIT,
-                    (1, span_bits),
-                    accumulated,
-                ),
-                point("weight", weight, UNIT, "interpolation weight a")
-                    .no_finer_than(weight_accumulator),
-            ],
+            Increments::Multiplied => {
+                let formats = [weight_accumulator, weight];
+                NarrowingPoint::weight(formats, span_bits, INTERPOLATION_WEIGHT).to_vec()
+            }
             Increments::Added => {
                 vec![self.span_vectors().accumulator_point("vector_accumulator", span_bits)]
             }
@@ -141,6 +134,10 @@ impl ShadingMethod for PhongSpec {
         }
         options.extend(self.increments.option());
         options
+    }
+
+    fn check_compatible(&self, needs: &Needs) -> Result<(), SpecError> {
+        self.check_wraps(needs)
     }
 
     fn places_seen_from(&self) -> Viewpoint {

@@ -90,10 +90,24 @@ formats! {
     }
 }
 
+/// The format of what cores do not have that were made before increments could be added.
+const fn default_vector_accumulator() -> Format {
+    Format::signed(3, 24)
+}
+
 /// By how much wrapped directions to places may move a colour, in LSBs from 0 to 255.
 const MOST_OFF_BY_WRAPS: f64 = 3.0;
 
 impl PhongSpec {
+    /// Vectors along a span.
+    pub(crate) fn span_vectors(&self) -> SpanVectors {
+        SpanVectors {
+            increments: self.increments,
+            vector: self.formats.vector,
+            accumulator: self.formats.vector_accumulator,
+        }
+    }
+
     /// The same with true directions to places where wrapped ones do not serve a scene.
     pub(crate) fn with_places_for(self, needs: &Needs) -> PhongSpec {
         let places = if wraps_serve(needs) { self.places } else { Places::Exact };
@@ -104,7 +118,7 @@ impl PhongSpec {
     ///
     /// # Errors
     /// [`SpecError::Lacks`] says how far off colours would be.
-    pub(crate) fn check_wraps(&self, needs: &Needs) -> Result<(), SpecError> {
+    fn check_wraps(&self, needs: &Needs) -> Result<(), SpecError> {
         if self.places == Places::Exact || wraps_serve(needs) {
             return Ok(());
         }
@@ -120,22 +134,6 @@ impl PhongSpec {
 
 fn wraps_serve(needs: &Needs) -> bool {
     needs.most_off_by_wraps <= MOST_OFF_BY_WRAPS
-}
-
-/// The format of what cores do not have that were made before increments could be added.
-const fn default_vector_accumulator() -> Format {
-    Format::signed(3, 24)
-}
-
-impl PhongSpec {
-    /// Vectors along a span.
-    pub(crate) fn span_vectors(&self) -> SpanVectors {
-        SpanVectors {
-            increments: self.increments,
-            vector: self.formats.vector,
-            accumulator: self.formats.vector_accumulator,
-        }
-    }
 }
 
 impl Highlight {
