@@ -5,7 +5,7 @@ use specula_spec::consistent::{
 use specula_spec::ways::{VectorLight, VectorWay};
 use specula_spec::{CoreParameters, DirectionOutput, Format, InputPort};
 
-use super::common::{Intensities, SHORTEST_NORMAL, codes, eye, time_slots};
+use super::common::{Intensities, SHORTEST_NORMAL, codes, eye, time_slots, unit_vector};
 use super::forward::Forward;
 use super::vector_ways::{VectorWays, alike};
 use crate::error;
@@ -152,8 +152,7 @@ impl Pixel<'_> {
         match (&light.way, &light.direction) {
             (Some(way), _) => self.arriving(index, way, exponent),
             (None, Some(direction)) => {
-                let longest = 1.0 + self.consistent.formats.vector.ulp();
-                let sent = |vector: &[Sig; 3]| Vector::new(vector.clone()).no_longer_than(longest);
+                let sent = |vector: &[Sig; 3]| unit_vector(vector, self.consistent.formats.vector);
                 let halfway = light.halfway.as_ref().map(sent);
                 self.intensities(index, &sent(direction), halfway.as_ref(), exponent)
             }

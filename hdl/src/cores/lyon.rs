@@ -165,10 +165,7 @@ impl Pixel<'_> {
                 let d = b.instance(&format!("light{index}_difference"), || {
                     self.difference(&l, halfway.as_ref())
                 });
-                // A rounded unit vector is longer than 1 by √3/2 units of the last place at most.
-                let longest = 1.0 + formats.vector.ulp();
-                let direction = Vector::new(direction.clone()).no_longer_than(longest);
-                self.intensities(index, &direction, d)
+                self.intensities(index, &l, d)
             }
             (None, None) => unreachable!("`LyonSpec::light_inputs` gives each light one of both"),
         }
