@@ -2,6 +2,7 @@
 use specula_datapath::{Format, Hold, InputPort};
 use specula_scene::needs::Needs;
 
+use crate::components::Components;
 use crate::core_input::{CoreInput, InputRole};
 use crate::defaults::span_bits;
 use crate::error::SpecError;
@@ -59,8 +60,9 @@ impl CoreSpec {
         let named = table.method.as_deref().map(Method::from_name).transpose()?;
         let method = method.or(named).unwrap_or(Method::default_for(needs));
         let pipelines = table.light_pipelines.unwrap_or_default();
+        let components = table.components.unwrap_or_default();
         let mut spec = CoreSpec {
-            parameters: CoreParameters::for_needs(needs, pipelines),
+            parameters: CoreParameters::for_needs(needs, pipelines, components),
             method: with_places_that_serve(method.spec(needs, &table.method_table(method))?, needs),
             specialisation: Specialisation::default(),
             target: None,
@@ -218,6 +220,13 @@ impl CoreSpec {
                     parameters.interval()
                 ),
             ));
+        }
+        if parameters.components == Components::Serial {
+            let words = format!(
+                "one after another through one multiplier: {} clocks a pixel",
+                parameters.interval()
+            );
+            options.push(("components", words));
         }
         options.extend(self.method_options());
         options.push(("made for", self.specialisation.in_words()));

@@ -11,6 +11,7 @@
 //! for a span. It sees parameters and never a whole core, so nothing beneath it depends on which
 //! methods there are; a line in `method` makes it known.
 mod compatibility;
+mod components;
 pub mod consistent;
 mod core_input;
 mod core_spec;
@@ -54,6 +55,7 @@ pub mod ways;
 pub use specula_datapath::{Format, Hold, InputPort, SpanPacket, format};
 
 pub use compatibility::FittedCore;
+pub use components::Components;
 pub use consistent::{ConsistentInputs, ConsistentSpec};
 pub use core_input::{CoreInput, InputRole};
 pub use core_spec::{CoreSpec, Ports};
