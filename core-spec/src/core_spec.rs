@@ -2,6 +2,7 @@
 use specula_datapath::{Format, Hold, InputPort};
 use specula_scene::needs::Needs;
 
+use crate::attenuation::AttenuationSpec;
 use crate::core_input::{CoreInput, InputRole};
 use crate::defaults::span_bits;
 use crate::error::SpecError;
@@ -66,6 +67,9 @@ impl CoreSpec {
             target: None,
         };
         spec.parameters.least_view_cosine = spec.least_view_cosine(needs);
+        if spec.places_seen_from() != Viewpoint::Vertex {
+            spec.parameters.attenuation = AttenuationSpec::for_needs(needs, &table.attenuation)?;
+        }
         let spec = spec.for_highlights(needs, &table.named_formats(method));
         spec.check()?;
         spec.method.shading().check_compatible(needs)?;
@@ -167,9 +171,19 @@ impl CoreSpec {
         InputPort { hold, ..self.specialisation.narrowed(&input.port) }
     }
 
-    /// Every place where the method rounds values, in the order of the data.
+    /// Every place where values are rounded, those of the method first, in the order of the data.
     pub fn narrowing_points(&self) -> Vec<NarrowingPoint> {
-        self.method.shading().narrowing_points(span_bits(self.parameters.longest_span))
+        let span_bits = span_bits(self.parameters.longest_span);
+        let attenuation = self.parameters.attenuation.iter();
+        let of_lights = attenuation.flat_map(|attenuation| attenuation.narrowing_points(span_bits));
+        self.method.shading().narrowing_points(span_bits).into_iter().chain(of_lights).collect()
+    }
+
+    /// The format of the narrowing point called `name`.
+    pub(crate) fn format_mut(&mut self, name: &str) -> Option<&mut Format> {
+        let attenuation = self.parameters.attenuation.as_mut();
+        let of_lights = attenuation.and_then(|attenuation| attenuation.formats.named_mut(name));
+        of_lights.or_else(|| self.method.format_mut(name))
     }
 
     /// The same core for any scene, with other formats at these narrowing points.
@@ -180,7 +194,7 @@ impl CoreSpec {
         let mut spec = self.general();
         for &(name, format) in formats {
             let wrong = || SpecError::Core { message: format!("no narrowing point `{name}`") };
-            *spec.method.format_mut(name).ok_or_else(wrong)? = format;
+            *spec.format_mut(name).ok_or_else(wrong)? = format;
         }
         spec.check()?;
         Ok(spec)

@@ -10,6 +10,7 @@
 //! light, `defaults` the formats for a scene and what may be asked for, `set_up` the host's work
 //! for a span. It sees parameters and never a whole core, so nothing beneath it depends on which
 //! methods there are; a line in `method` makes it known.
+pub mod attenuation;
 mod compatibility;
 pub mod consistent;
 mod core_input;
@@ -53,6 +54,7 @@ pub mod ways;
 
 pub use specula_datapath::{Format, Hold, InputPort, SpanPacket, format};
 
+pub use attenuation::AttenuationSpec;
 pub use compatibility::FittedCore;
 pub use consistent::{ConsistentInputs, ConsistentSpec};
 pub use core_input::{CoreInput, InputRole};

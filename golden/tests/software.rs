@@ -409,6 +409,7 @@ fn lit_from_places(distance: f64) -> Frame {
     let lamp = |direction: DVec3, spot| LocalLight {
         position: distance * direction,
         spot,
+        attenuation: None,
         colour: [0.5; 3],
     };
     let spot = Spot { axis: -tilted(-30.0), exponent: 20 };

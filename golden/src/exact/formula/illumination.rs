@@ -1,7 +1,7 @@
 //! Directions to lights and eye at one point.
 use glam::DVec3;
 use specula_scene::frame::EYE;
-use specula_scene::{Frame, LocalLight, Span};
+use specula_scene::{Attenuation, Frame, LocalLight, Span};
 
 use super::normalisation::unit;
 use super::point_light;
@@ -10,7 +10,7 @@ use super::point_light;
 pub struct Illumination {
     /// L, a unit vector.
     pub direction: DVec3,
-    /// The share of it that arrives, 0 to 1: Warn's spot factor.
+    /// The share of it that arrives, 0 to 1: Warn's spot factor times what distance leaves.
     pub share: f64,
 }
 
@@ -60,5 +60,12 @@ fn from_a_place(light: &LocalLight, position: DVec3) -> Option<Illumination> {
         .spot
         .as_ref()
         .map_or(1.0, |spot| point_light::spot(-spot.axis, direction, spot.exponent));
-    Some(Illumination { direction, share })
+    Some(Illumination { direction, share: share * attenuation(light, position) })
+}
+
+/// What distance leaves of a light at `position`; 1 where it does not become weaker.
+pub fn attenuation(light: &LocalLight, position: DVec3) -> f64 {
+    light.attenuation.map_or(1.0, |Attenuation { constant, linear, quadratic }| {
+        point_light::attenuation([constant, linear, quadratic], (light.position - position).length())
+    })
 }
