@@ -77,12 +77,13 @@ impl<M: MethodSetUp> SetUpSpan for M {
     ) {
         let geometry = self.geometry(span);
         let lights = material.lights.iter().zip(attenuations).enumerate();
-        let light = |(index, (coefficients, attenuation)): (usize, (&Coefficients, _))| LightInputs {
-            light: self.light_inputs(span, &geometry, index),
-            attenuation,
-            diffuse: coefficients.diffuse,
-            specular: if self.has_highlight(index) { coefficients.specular } else { [0; 3] },
-        };
+        let light =
+            |(index, (coefficients, attenuation)): (usize, (&Coefficients, _))| LightInputs {
+                light: self.light_inputs(span, &geometry, index),
+                attenuation,
+                diffuse: coefficients.diffuse,
+                specular: if self.has_highlight(index) { coefficients.specular } else { [0; 3] },
+            };
         let inputs = CoreInputs {
             span: self.span_inputs(span, &geometry),
             ambient: material.ambient,

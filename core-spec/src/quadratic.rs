@@ -87,7 +87,7 @@ impl Quadratic<f64> {
         let steps = f64::from(span.steps().max(1));
         let bend = 2.0 * (first - 2.0 * half + last);
         let slope = last - first - bend;
-        Quadratic::new(span, first, slope / steps, bend / (steps * steps))
+        Quadratic::new(span, first, slope / steps, bend / steps / steps)
     }
 
     /// (m + k i)·(m + k i).

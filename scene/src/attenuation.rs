@@ -18,6 +18,6 @@ pub struct Attenuation {
 impl Attenuation {
     /// The share of the light that arrives at a distance of 0 or more, 0 to 1.
     pub fn at(&self, distance: f64) -> f64 {
-        (self.constant + distance * (self.linear + distance * self.quadratic)).recip().min(1.0)
+        (self.constant + distance * (self.linear + distance * self.quadratic)).max(1.0).recip()
     }
 }

@@ -242,9 +242,8 @@ impl Frame {
     pub fn attenuation_along(&self, span: &Span, index: usize) -> Option<[f64; 3]> {
         let light = &self.local_lights.get(index.checked_sub(self.lights.len())?)?;
         let attenuation = light.attenuation?;
-        let at = |weights| {
-            attenuation.at((light.position - self.position_at(span, weights)).length())
-        };
+        let at =
+            |weights| attenuation.at((light.position - self.position_at(span, weights)).length());
         Some([span.start, span.middle(), span.end].map(at))
     }
 

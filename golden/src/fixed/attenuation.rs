@@ -45,8 +45,7 @@ impl Attenuation {
             accumulated,
             *attenuation_accumulator,
         );
-        let share =
-            round_to(accumulated, attenuation.fraction_bits).clamp(Wide::ZERO, Wide::ONE);
+        let share = round_to(accumulated, attenuation.fraction_bits).clamp(Wide::ZERO, Wide::ONE);
         observer.see(format_args!("attenuation"), share, *attenuation);
         let arriving = spotted(Some(share), intensities, &self.formats());
         observer.see(format_args!("attenuated_diffuse"), arriving.diffuse, *attenuated);

@@ -175,7 +175,12 @@ fn frame_with_places(draw: &Choices, n: u32) -> Frame {
     frame.lights.truncate(1);
     frame.local_lights = vec![
         LocalLight { position: place(0), spot: None, attenuation: None, colour: [1.0; 3] },
-        LocalLight { position: place(3), spot: Some(spot), attenuation: None, colour: [0.5, 1.0, 2.0] },
+        LocalLight {
+            position: place(3),
+            spot: Some(spot),
+            attenuation: None,
+            colour: [0.5, 1.0, 2.0],
+        },
         LocalLight { position: DVec3::ZERO, spot: None, attenuation: None, colour: [1.0; 3] },
     ];
     frame.eye = (draw[11] < 0.7).then(|| place(6));

@@ -25,11 +25,9 @@ impl<'a> Attenuation<'a> {
     ) -> Option<Attenuation<'a>> {
         let formats = &parameters.attenuation.as_ref()?.formats;
         let forward = Forward { b, first: &slots.first_pixel, steps: parameters.longest_span - 1 };
-        let applies =
-            |index| b.integer(i64::from(parameters.attenuation_of(index).is_some()));
+        let applies = |index| b.integer(i64::from(parameters.attenuation_of(index).is_some()));
         let applies: Vec<Sig> = (0..parameters.lights).map(applies).collect();
-        let applies =
-            if slots.count() == 1 { applies } else { vec![slots.multiplexed(&applies)] };
+        let applies = if slots.count() == 1 { applies } else { vec![slots.multiplexed(&applies)] };
         Some(Attenuation { forward, formats, applies })
     }
 

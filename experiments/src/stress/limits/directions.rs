@@ -35,7 +35,7 @@ impl Directions {
 
     /// The directions that the middle of the span sees.
     pub fn of_the_middle(frame: &Frame, span: &Span, i: u32) -> Directions {
-        let (here, middle) = (span.weights(i), middle(span));
+        let (here, middle) = (span.weights(i), span.middle());
         let pairs =
             illumination::lights(frame, span, here).zip(illumination::lights(frame, span, middle));
         let light = |pair: (Option<Illumination>, Option<Illumination>)| match pair {
@@ -74,11 +74,6 @@ impl Directions {
             .map_or(TRUE, |eye| wrap_error(&Wrap::to_eye(frame, span, eye), t, eye - position));
         Directions { lights: far.chain(near).collect(), view }
     }
-}
-
-/// The weights of a span's middle.
-pub fn middle(span: &Span) -> [f64; 3] {
-    std::array::from_fn(|v| f64::midpoint(span.start[v], span.end[v]))
 }
 
 /// The difference between a wrap and `truth` at parameter `t`.

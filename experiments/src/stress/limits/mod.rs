@@ -413,7 +413,7 @@ impl<'a> Limits<'a> {
         if let Some(light) = self.frame.lights.get(light) {
             return Some(light.direction);
         }
-        let position = self.frame.position_at(self.span, directions::middle(self.span));
+        let position = self.frame.position_at(self.span, self.span.middle());
         let of_the_middle = self.spec.places_seen_from() == Viewpoint::Span;
         self.frame
             .lights_from(position)

@@ -66,6 +66,9 @@ fn from_a_place(light: &LocalLight, position: DVec3) -> Option<Illumination> {
 /// What distance leaves of a light at `position`; 1 where it does not become weaker.
 pub fn attenuation(light: &LocalLight, position: DVec3) -> f64 {
     light.attenuation.map_or(1.0, |Attenuation { constant, linear, quadratic }| {
-        point_light::attenuation([constant, linear, quadratic], (light.position - position).length())
+        point_light::attenuation(
+            [constant, linear, quadratic],
+            (light.position - position).length(),
+        )
     })
 }
