@@ -5,6 +5,7 @@ use specula_scene::{Attenuation, Frame, LocalLight, Span};
 
 use super::normalisation::unit;
 use super::point_light;
+use super::quadratic::Quadratic;
 
 /// A light as seen from one point.
 pub struct Illumination {
@@ -71,4 +72,11 @@ pub fn attenuation(light: &LocalLight, position: DVec3) -> f64 {
             (light.position - position).length(),
         )
     })
+}
+
+/// What distance leaves of a light along a span, t = 0 to 1: a quadratic through what it leaves at both
+/// ends and half-way, which may go beyond 0 to 1.
+pub fn attenuation_along(frame: &Frame, span: &Span, light: &LocalLight) -> Quadratic {
+    let at = |weights| attenuation(light, frame.position_at(span, weights));
+    Quadratic::through([span.start, span.middle(), span.end].map(at))
 }

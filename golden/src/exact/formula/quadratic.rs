@@ -26,6 +26,12 @@ impl Quadratic {
         Quadratic([a, last - first - a, first])
     }
 
+    /// The same over x = 0 to `steps` as this one over 0 to 1.
+    pub fn stretched(self, steps: f64) -> Quadratic {
+        let [a, b, c] = self.0;
+        Quadratic([a / (steps * steps), b / steps, c])
+    }
+
     /// `self` + `factor` · `other`.
     pub fn plus(self, factor: f64, other: Quadratic) -> Quadratic {
         Quadratic(std::array::from_fn(|c| self.0[c] + factor * other.0[c]))

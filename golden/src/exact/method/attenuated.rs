@@ -3,7 +3,7 @@ use specula_scene::{Frame, LocalLight, Span, Triangle};
 use specula_spec::{CoreSpec, Viewpoint};
 
 use super::{MethodSpan, ShadeSpan};
-use crate::exact::formula::illumination::attenuation;
+use crate::exact::formula::illumination::attenuation_along;
 use crate::exact::formula::quadratic::Quadratic;
 
 /// A span whose lights' strengths are quadratics in the pixel number, through what distance leaves
@@ -26,10 +26,7 @@ impl<'a> Attenuated<'a> {
         {
             return None;
         }
-        let of_light = |light: &LocalLight| {
-            let at = |weights| attenuation(light, frame.position_at(span, weights));
-            Quadratic::through([span.start, span.middle(), span.end].map(at))
-        };
+        let of_light = |light: &LocalLight| attenuation_along(frame, span, light);
         let along = frame.local_lights.iter().map(of_light).collect();
         Some(Attenuated { spec, frame: by_itself(frame, span), along })
     }
