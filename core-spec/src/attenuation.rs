@@ -47,6 +47,21 @@ formats! {
     }
 }
 
+impl AttenuationFormats {
+    /// The formats of these narrowing points in a method's table, which then has them no more: a user
+    /// names them beside those of the method.
+    pub(crate) fn taken_from(options: &mut toml::Table) -> toml::Table {
+        let names = ["attenuation_accumulator", "attenuation", "attenuated"];
+        let Some(formats) = options.get_mut("formats").and_then(toml::Value::as_table_mut) else {
+            return toml::Table::new();
+        };
+        names
+            .into_iter()
+            .filter_map(|name| Some((name.to_owned(), formats.remove(name)?)))
+            .collect()
+    }
+}
+
 impl AttenuationSpec {
     /// That of a scene with these needs, with `changes` in place of default formats; `None` where no
     /// light becomes weaker.

@@ -2,7 +2,7 @@
 use specula_datapath::{Format, Hold, InputPort};
 use specula_scene::needs::Needs;
 
-use crate::attenuation::AttenuationSpec;
+use crate::attenuation::{AttenuationFormats, AttenuationSpec};
 use crate::core_input::{CoreInput, InputRole};
 use crate::defaults::span_bits;
 use crate::error::SpecError;
@@ -60,15 +60,17 @@ impl CoreSpec {
         let named = table.method.as_deref().map(Method::from_name).transpose()?;
         let method = method.or(named).unwrap_or(Method::default_for(needs));
         let pipelines = table.light_pipelines.unwrap_or_default();
+        let mut options = table.method_table(method);
+        let of_lights = AttenuationFormats::taken_from(&mut options);
         let mut spec = CoreSpec {
             parameters: CoreParameters::for_needs(needs, pipelines),
-            method: with_places_that_serve(method.spec(needs, &table.method_table(method))?, needs),
+            method: with_places_that_serve(method.spec(needs, &options)?, needs),
             specialisation: Specialisation::default(),
             target: None,
         };
         spec.parameters.least_view_cosine = spec.least_view_cosine(needs);
         if spec.places_seen_from() != Viewpoint::Vertex {
-            spec.parameters.attenuation = AttenuationSpec::for_needs(needs, &table.attenuation)?;
+            spec.parameters.attenuation = AttenuationSpec::for_needs(needs, &of_lights)?;
         }
         let spec = spec.for_highlights(needs, &table.named_formats(method));
         spec.check()?;

@@ -21,8 +21,6 @@ pub struct CoreOptions {
     pub light_pipelines: Option<LightPipelines>,
     /// Where formats that are not named come from, if that is said.
     pub formats: Option<UnnamedFormats>,
-    /// Formats of lights that become weaker with distance, where they differ from the defaults.
-    pub attenuation: toml::Table,
     /// Options that differ from the defaults.
     tables: Vec<(Method, toml::Table)>,
 }
@@ -37,12 +35,11 @@ impl CoreOptions {
             .unwrap_or_default()
     }
 
-    /// The narrowing points of a core with a method whose formats are named.
+    /// The narrowing points of a method whose formats are named.
     pub fn named_formats(&self, method: Method) -> Vec<String> {
         let table = self.method_table(method);
         let formats = table.get("formats").and_then(toml::Value::as_table);
-        let tables = formats.into_iter().chain([&self.attenuation]);
-        tables.flat_map(toml::Table::keys).cloned().collect()
+        formats.into_iter().flat_map(toml::Table::keys).cloned().collect()
     }
 }
 
@@ -109,7 +106,6 @@ enum Key {
     Specialise,
     LightPipelines,
     Formats,
-    Attenuation,
     Table(Method),
 }
 
@@ -118,7 +114,7 @@ impl<'de> Deserialize<'de> for Key {
         let name = String::deserialize(deserializer)?;
         let unknown = |_| {
             let known = format!(
-                "expected `method`, `specialise`, `light_pipelines`, `formats`, `attenuation` or a method's name ({})",
+                "expected `method`, `specialise`, `light_pipelines`, `formats` or a method's name ({})",
                 Method::names()
             );
             de::Error::custom(format!("unknown field `{name}`, {known}"))
@@ -128,7 +124,6 @@ impl<'de> Deserialize<'de> for Key {
             "specialise" => Ok(Key::Specialise),
             "light_pipelines" => Ok(Key::LightPipelines),
             "formats" => Ok(Key::Formats),
-            "attenuation" => Ok(Key::Attenuation),
             _ => Method::from_name(&name).map(Key::Table).map_err(unknown),
         }
     }
@@ -157,7 +152,6 @@ impl<'de> Visitor<'de> for Keys {
                 Key::Specialise => options.specialise = Some(map.next_value()?),
                 Key::LightPipelines => options.light_pipelines = Some(map.next_value()?),
                 Key::Formats => options.formats = Some(map.next_value()?),
-                Key::Attenuation => options.attenuation = map.next_value()?,
                 Key::Table(method) => options.tables.push((method, map.next_value()?)),
             }
         }
