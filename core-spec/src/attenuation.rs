@@ -74,10 +74,13 @@ impl AttenuationSpec {
         if needs.attenuated_lights.is_empty() {
             return Ok(None);
         }
-        let sums = 2 * span_bits(needs.longest_span) + 10;
+        let attenuation = Format::unsigned(1, 12);
+        // In short spans the share asks for more than the sums do.
+        let sums = (2 * span_bits(needs.longest_span) + 10)
+            .clamp(attenuation.fraction_bits, MOST_ACCUMULATOR_FRACTION_BITS);
         let default = AttenuationFormats {
-            attenuation_accumulator: Format::signed(3, sums.min(MOST_ACCUMULATOR_FRACTION_BITS)),
-            attenuation: Format::unsigned(1, 12),
+            attenuation_accumulator: Format::signed(3, sums),
+            attenuation,
             attenuated: Format::unsigned(1, 12),
         };
         let formats = merged(&default, changes)?;
