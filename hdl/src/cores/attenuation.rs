@@ -4,7 +4,7 @@ use specula_spec::{CoreInputs, CoreParameters, InputGroup, LightInputs, Quadrati
 
 use super::common::Intensities;
 use super::forward::Forward;
-use super::share::Share;
+use super::share::{self, Share};
 use crate::units;
 use specula_datapath::builder::{Builder, Sig, TimeSlots};
 
@@ -25,9 +25,8 @@ impl<'a> Attenuation<'a> {
     ) -> Option<Attenuation<'a>> {
         let formats = &parameters.attenuation.as_ref()?.formats;
         let forward = Forward { b, first: &slots.first_pixel, steps: parameters.longest_span - 1 };
-        let applies = |index| b.integer(i64::from(parameters.attenuation_of(index).is_some()));
-        let applies: Vec<Sig> = (0..parameters.lights).map(applies).collect();
-        let applies = if slots.count() == 1 { applies } else { vec![slots.multiplexed(&applies)] };
+        let becomes_weaker = |index| parameters.attenuation_of(index).is_some();
+        let applies = share::applies(b, slots, (0..parameters.lights).map(becomes_weaker));
         Some(Attenuation { forward, formats, applies })
     }
 

@@ -1,6 +1,6 @@
 //! What arrives of the light of a pipeline, where lights that share it may lose some or none.
 use super::common::Intensities;
-use specula_datapath::builder::Sig;
+use specula_datapath::builder::{Builder, Sig, TimeSlots};
 
 /// The share of a pipeline's light.
 pub(super) struct Share {
@@ -29,4 +29,14 @@ impl Share {
             specular: self.of(&specular, fraction_bits[1]),
         }
     }
+}
+
+/// Whether the light of each pipeline loses any, where it is said of each light.
+pub(super) fn applies(
+    b: &Builder,
+    slots: &TimeSlots,
+    of_lights: impl Iterator<Item = bool>,
+) -> Vec<Sig> {
+    let applies: Vec<Sig> = of_lights.map(|applies| b.integer(applies.into())).collect();
+    if slots.count() == 1 { applies } else { vec![slots.multiplexed(&applies)] }
 }

@@ -1,13 +1,13 @@
 //! What spots leave of their light, where ways to places are followed.
 use specula_spec::{CoreParameters, LightInputs};
 
+use super::share;
 use specula_datapath::builder::{Builder, Sig, TimeSlots};
 
 /// Whether the light of each pipeline is a spot.
 pub(super) fn spots(b: &Builder, parameters: &CoreParameters, slots: &TimeSlots) -> Vec<Sig> {
-    let is_spot = |index| i64::from(parameters.spot_exponent(index).is_some());
-    let spots: Vec<Sig> = (0..parameters.lights).map(|index| b.integer(is_spot(index))).collect();
-    if slots.count() == 1 { spots } else { vec![slots.multiplexed(&spots)] }
+    let is_spot = |index| parameters.spot_exponent(index).is_some();
+    share::applies(b, slots, (0..parameters.lights).map(is_spot))
 }
 
 /// Gives lights that share a pipeline the inputs of spots if one of them is a spot, what `none`
