@@ -20,7 +20,7 @@ use super::row::CatalogueRow;
 
 /// Every row, in the order of docs/extremes.md; then what breaks first according to
 /// docs/numerics.md, and random spans.
-pub static CATALOGUE: [&CatalogueRow; 62] = [
+pub static CATALOGUE: [&CatalogueRow; 63] = [
     &opposite::LERP,
     &opposite::DUFF,
     &opposite::WIDE,
@@ -62,6 +62,7 @@ pub static CATALOGUE: [&CatalogueRow; 62] = [
     &lengths::LONGEST,
     &places::IN_THE_SURFACE,
     &places::FAR,
+    &places::WEAKER,
     &consistent::HORIZON,
     &consistent::QUARTER_TURN,
     &consistent::ABOVE,

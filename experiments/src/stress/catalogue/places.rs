@@ -69,7 +69,7 @@ pub const IN_THE_SURFACE: CatalogueRow = CatalogueRow {
 /// Row 40.
 pub const FAR: CatalogueRow = CatalogueRow {
     id: "40",
-    input: "a light 60 degrees aside, a quarter to ten thousand units away, which becomes weaker or not; spots and eyes anywhere",
+    input: "a light 60 degrees aside, a quarter to ten thousand units away; spots and eyes anywhere",
     trial: scenes(|draw, extent| {
         let at = |distance: f64| {
             let near = |pixel: &Pixel| pixel.is_within(1.0, pixel.exact());
@@ -85,16 +85,29 @@ pub const FAR: CatalogueRow = CatalogueRow {
                     ends,
                 )
         };
-        let weaker = |distance: f64| {
-            let quadratic = 1.0 / (distance * distance);
-            let light = Light::Weaker { position: distance * tilted(60.0), quadratic };
-            Case::new(wall(vec![light], None))
-        };
         let fixed = [0.25, 1.0, 10.0, 1e4].map(at).into_iter();
-        let fixed = fixed.chain([0.25, 1.0, 10.0].map(weaker));
         let random: Vec<Case> =
             (0..1 + extent.spans / 8).map(|_| Case::new(anywhere(draw, extent.longest))).collect();
         fixed.chain(random).collect()
+    }),
+};
+
+/// Row 40a.
+pub const WEAKER: CatalogueRow = CatalogueRow {
+    id: "40a",
+    input: "a light 60 degrees aside, a quarter to ten units away, that becomes weaker by the square of distance",
+    trial: scenes(|_, _| {
+        let at = |distance: f64| {
+            let quadratic = 1.0 / (distance * distance);
+            let light = Light::Weaker { position: distance * tilted(60.0), quadratic };
+            let ends = |pixel: &Pixel| !pixel.is_end() || pixel.is_within(1.0, pixel.exact());
+            Case::new(wall(vec![light], None)).requiring(
+                "true directions: within 1 LSB of exact shading at both ends",
+                is_phongs,
+                ends,
+            )
+        };
+        [0.25, 1.0, 10.0].map(at).into()
     }),
 };
 
