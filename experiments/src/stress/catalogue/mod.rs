@@ -19,7 +19,7 @@ mod wrapped;
 use super::row::CatalogueRow;
 
 /// Every row, in the order of docs/extremes.md; then what breaks first according to
-/// docs/numerics.md, and random spans.
+/// docs/numerics.md, random spans, and what was added since.
 pub static CATALOGUE: [&CatalogueRow; 63] = [
     &opposite::LERP,
     &opposite::DUFF,
@@ -62,7 +62,6 @@ pub static CATALOGUE: [&CatalogueRow; 63] = [
     &lengths::LONGEST,
     &places::IN_THE_SURFACE,
     &places::FAR,
-    &places::WEAKER,
     &consistent::HORIZON,
     &consistent::QUARTER_TURN,
     &consistent::ABOVE,
@@ -84,4 +83,5 @@ pub static CATALOGUE: [&CatalogueRow; 63] = [
     &breaks::SHORT_ACCUMULATOR,
     &breaks::WRAPPED_HIGHLIGHT,
     &anything::ANYTHING,
+    &places::WEAKER,
 ];

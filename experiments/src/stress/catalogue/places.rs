@@ -92,10 +92,10 @@ pub const FAR: CatalogueRow = CatalogueRow {
     }),
 };
 
-/// Row 40a.
+/// What distance leaves.
 pub const WEAKER: CatalogueRow = CatalogueRow {
-    id: "40a",
-    input: "a light 60 degrees aside, a quarter to ten units away, that becomes weaker by the square of distance",
+    id: "weaker",
+    input: "a light a quarter to ten units away that becomes weaker by the square of distance",
     trial: scenes(|_, _| {
         let at = |distance: f64| {
             let quadratic = 1.0 / (distance * distance);
