@@ -3,6 +3,7 @@ use specula_datapath::{Format, Hold, InputPort};
 use specula_scene::needs::Needs;
 
 use crate::attenuation::{AttenuationFormats, AttenuationSpec};
+use crate::components::Components;
 use crate::core_input::{CoreInput, InputRole};
 use crate::defaults::span_bits;
 use crate::error::SpecError;
@@ -60,10 +61,11 @@ impl CoreSpec {
         let named = table.method.as_deref().map(Method::from_name).transpose()?;
         let method = method.or(named).unwrap_or(Method::default_for(needs));
         let pipelines = table.light_pipelines.unwrap_or_default();
+        let components = table.components.unwrap_or_default();
         let mut options = table.method_table(method);
         let of_lights = AttenuationFormats::taken_from(&mut options);
         let mut spec = CoreSpec {
-            parameters: CoreParameters::for_needs(needs, pipelines),
+            parameters: CoreParameters::for_needs(needs, pipelines, components),
             method: with_places_that_serve(method.spec(needs, &options)?, needs),
             specialisation: Specialisation::default(),
             target: None,
@@ -234,6 +236,13 @@ impl CoreSpec {
                     parameters.interval()
                 ),
             ));
+        }
+        if parameters.components == Components::Serial {
+            let words = format!(
+                "one after another through one multiplier: {} clocks a pixel",
+                parameters.interval()
+            );
+            options.push(("components", words));
         }
         options.extend(self.method_options());
         options.push(("made for", self.specialisation.in_words()));

@@ -7,6 +7,7 @@ use specula_datapath::Format;
 use specula_scene::needs::LocalKind;
 
 use crate::attenuation::AttenuationSpec;
+use crate::components::Components;
 use crate::core_spec::CoreSpec;
 use crate::light_pipelines::LightPipelines;
 use crate::method::MethodSpec;
@@ -23,6 +24,8 @@ struct Keys {
     local_eye: bool,
     several_materials: bool,
     light_pipelines: LightPipelines,
+    #[serde(default, skip_serializing_if = "Components::is_parallel")]
+    components: Components,
     longest_span: u32,
     largest_shininess: u32,
     coefficient: Format,
@@ -80,6 +83,7 @@ parameters_have_keys!(
     local_eye,
     several_materials,
     light_pipelines,
+    components,
     longest_span,
     largest_shininess,
     coefficient,

@@ -12,6 +12,7 @@
 //! methods there are; a line in `method` makes it known.
 pub mod attenuation;
 mod compatibility;
+mod components;
 pub mod consistent;
 mod core_input;
 mod core_spec;
@@ -56,6 +57,7 @@ pub use specula_datapath::{Format, Hold, InputPort, SpanPacket, format};
 
 pub use attenuation::AttenuationSpec;
 pub use compatibility::FittedCore;
+pub use components::Components;
 pub use consistent::{ConsistentInputs, ConsistentSpec};
 pub use core_input::{CoreInput, InputRole};
 pub use core_spec::{CoreSpec, Ports};

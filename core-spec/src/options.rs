@@ -5,6 +5,7 @@ use std::str::FromStr;
 use serde::Deserialize;
 use serde::de::{self, Deserializer, MapAccess, Visitor};
 
+use crate::components::Components;
 use crate::error::SpecError;
 use crate::light_pipelines::LightPipelines;
 use crate::method::Method;
@@ -19,6 +20,8 @@ pub struct CoreOptions {
     pub specialise: Option<Specialise>,
     /// Whether lights share a pipeline, if that is said.
     pub light_pipelines: Option<LightPipelines>,
+    /// Whether components share multipliers, if that is said.
+    pub components: Option<Components>,
     /// Where formats that are not named come from, if that is said.
     pub formats: Option<UnnamedFormats>,
     /// Options that differ from the defaults.
@@ -105,6 +108,7 @@ enum Key {
     Method,
     Specialise,
     LightPipelines,
+    Components,
     Formats,
     Table(Method),
 }
@@ -114,7 +118,7 @@ impl<'de> Deserialize<'de> for Key {
         let name = String::deserialize(deserializer)?;
         let unknown = |_| {
             let known = format!(
-                "expected `method`, `specialise`, `light_pipelines`, `formats` or a method's name ({})",
+                "expected `method`, `specialise`, `light_pipelines`, `components`, `formats` or a method's name ({})",
                 Method::names()
             );
             de::Error::custom(format!("unknown field `{name}`, {known}"))
@@ -123,6 +127,7 @@ impl<'de> Deserialize<'de> for Key {
             "method" => Ok(Key::Method),
             "specialise" => Ok(Key::Specialise),
             "light_pipelines" => Ok(Key::LightPipelines),
+            "components" => Ok(Key::Components),
             "formats" => Ok(Key::Formats),
             _ => Method::from_name(&name).map(Key::Table).map_err(unknown),
         }
@@ -151,6 +156,7 @@ impl<'de> Visitor<'de> for Keys {
                 Key::Method => options.method = Some(map.next_value()?),
                 Key::Specialise => options.specialise = Some(map.next_value()?),
                 Key::LightPipelines => options.light_pipelines = Some(map.next_value()?),
+                Key::Components => options.components = Some(map.next_value()?),
                 Key::Formats => options.formats = Some(map.next_value()?),
                 Key::Table(method) => options.tables.push((method, map.next_value()?)),
             }

@@ -4,6 +4,7 @@ use specula_scene::limits::{LARGEST_SHININESS, LONGEST_SPAN, MOST_LIGHTS};
 use specula_scene::needs::{LocalKind, Needs};
 
 use crate::attenuation::AttenuationSpec;
+use crate::components::Components;
 use crate::core_input::InputRole;
 use crate::error::{SpecError, within};
 use crate::light_pipelines::LightPipelines;
@@ -31,6 +32,8 @@ pub struct CoreParameters {
     pub several_materials: bool,
     /// Whether lights share a pipeline.
     pub light_pipelines: LightPipelines,
+    /// Whether the components of vectors share multipliers.
+    pub components: Components,
     /// Longest span the core can take, in pixels.
     pub longest_span: u32,
     /// Largest exponent n the core can take.
@@ -61,13 +64,18 @@ pub struct CoreParameters {
 
 impl CoreParameters {
     /// Those of a core for a scene with these needs, in which light does not become weaker.
-    pub(crate) fn for_needs(needs: &Needs, light_pipelines: LightPipelines) -> CoreParameters {
+    pub(crate) fn for_needs(
+        needs: &Needs,
+        light_pipelines: LightPipelines,
+        components: Components,
+    ) -> CoreParameters {
         CoreParameters {
             lights: needs.lights,
             local_lights: needs.local_lights.clone(),
             local_eye: needs.local_eye,
             several_materials: needs.materials > 1,
             light_pipelines,
+            components,
             longest_span: needs.longest_span.next_power_of_two(),
             largest_shininess: needs.largest_shininess,
             coefficient: coefficient_format(needs.brightest_coefficient),
@@ -117,9 +125,10 @@ impl CoreParameters {
 
     /// The initiation interval: clocks from one pixel to the next.
     pub fn interval(&self) -> u32 {
-        match self.light_pipelines {
-            LightPipelines::Each => 1,
-            LightPipelines::Shared => self.lights as u32,
+        match (self.light_pipelines, self.components) {
+            (_, Components::Serial) => 3,
+            (LightPipelines::Each, _) => 1,
+            (LightPipelines::Shared, _) => self.lights as u32,
         }
     }
 
@@ -129,6 +138,7 @@ impl CoreParameters {
     /// [`SpecError`] names the first that is not.
     pub(crate) fn check(&self) -> Result<(), SpecError> {
         within("lights", self.lights as f64, 1.0, MOST_LIGHTS as f64)?;
+        self.check_turns()?;
         self.check_places()?;
         within("longest_span", self.longest_span.into(), 1.0, LONGEST_SPAN.into())?;
         self.check_coefficient()?;
@@ -139,6 +149,15 @@ impl CoreParameters {
         within("shortest_halfway", self.shortest_halfway, 0.0, 2.0)?;
         within("least_cone_cosine", self.least_cone_cosine, -1.0, 1.0)?;
         within("least_view_cosine", self.least_view_cosine, -1.0, 1.0)
+    }
+
+    /// What shares hardware: lights or components, not both.
+    fn check_turns(&self) -> Result<(), SpecError> {
+        if self.components == Components::Serial && self.light_pipelines == LightPipelines::Shared {
+            let message = "lights that share a pipeline leave no clocks for `components = \"serial\"`: leave out one of `light_pipelines` and `components`";
+            return Err(SpecError::Core { message: message.into() });
+        }
+        Ok(())
     }
 
     /// Lights at places.

@@ -1,11 +1,12 @@
 //! Formats by proof.
 use specula_experiments::cost::{Cost, GENERIC_BLOCK};
 use specula_experiments::formats::{
-    FAITHFUL, MARGIN, NotProven, Products, Proven, Wanted, cheapest_formats, default_core,
+    DefaultCore, FAITHFUL, MARGIN, NotProven, Products, Proven, Wanted, cheapest_formats,
+    default_core,
 };
 use specula_fixtures::each_method;
-use specula_scene::{Frame, LoadedScene, load};
-use specula_spec::{CoreSpec, Method, SceneCore};
+use specula_scene::{Frame, LoadedScene, Needs, load};
+use specula_spec::{CoreOptions, CoreSpec, Method, SceneCore};
 use specula_testbench::{Bench, EngineKind};
 
 fn scene(name: &str) -> LoadedScene {
@@ -165,4 +166,50 @@ fn a_core_that_cannot_be_proven_faithful_has_recommended_formats() {
         coarse.narrowing_points().iter().map(|point| point.name.to_owned()).collect();
     let core = default(&coarse, &all);
     assert!(core.not_faithful.is_none() && core.spec == coarse);
+}
+
+/// Options of which the recommended formats have a bound many times what is measured
+/// (docs/error-bounds.md): a core is faithful by default all the same, so that its bound, below 1 LSB,
+/// is less than twice the half LSB that rounding to 8 bits takes.
+#[test]
+fn options_far_from_their_bounds_in_recommended_formats_are_faithful_by_default() {
+    for (method, option) in [
+        ("consistent", "diffuse = \"consistent\""),
+        ("consistent", "highlight = \"blinn\""),
+        ("phong", "highlight = \"blinn\""),
+        ("phong", "highlight = \"trowbridge-reitz\""),
+        ("phong", "places = \"wrapped\""),
+        ("duff", "specular = \"blinn\""),
+        ("reflection", "bisector = \"triangle\""),
+        ("direct", "root = \"newton\""),
+    ] {
+        let (core, _) = by_default(method, option);
+        assert!(core.not_faithful.is_none(), "{method}, {option}: {:?}", core.not_faithful);
+    }
+}
+
+/// The two that are not, since fraction bits end: a bound of a few LSB is as near as formats come, and
+/// can be asked for.
+#[test]
+fn two_options_come_near_to_faithful() {
+    for (method, option, near) in [
+        ("phong", "highlight = \"torrance-sparrow\"", 2.6),
+        ("reflection", "specular = \"blinn\"", 1.4),
+    ] {
+        let (core, frame) = by_default(method, option);
+        let reached = core.not_faithful.expect("it is not faithful").reached;
+        assert!(reached > FAITHFUL && reached < near, "{method}: {reached}");
+        let (bound, _) = elaborated(&found(&core.spec, &frame, near).unwrap().spec);
+        assert!(bound < near, "{method}: {bound}");
+    }
+}
+
+/// The core that `lamps` has by default with an option of a method, and the frame.
+fn by_default(method: &str, option: &str) -> (DefaultCore, Frame) {
+    let LoadedScene { frame, .. } = scene("lamps");
+    let options: CoreOptions =
+        format!("method = \"{method}\"\n[{method}]\n{option}").parse().unwrap();
+    let general = CoreSpec::for_scene(&Needs::of(&frame), Some(&options), None).unwrap();
+    let products = Products::Blocks(GENERIC_BLOCK);
+    (default_core(general.specialised(&frame), &frame, &[], products).unwrap(), frame)
 }

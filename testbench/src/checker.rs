@@ -1,4 +1,6 @@
 //! Facts that intervals cannot see, checked on every clock.
+use std::ops::Range as Row;
+
 use specula_datapath::Design;
 use specula_datapath::design::{Assumption, NodeId, Range};
 use specula_sim::{Batch, Lanes, Stimulus};
@@ -104,13 +106,22 @@ fn of_pixels<'b>(
 ) -> impl Iterator<Item = (u64, Lanes<'b>)> {
     let stage = u64::from(design.node(node).stage);
     let (first, end) = (batch.first_clock(), batch.first_clock() + batch.clocks() as u64);
-    let fed = stimulus.fed_rows(first.saturating_sub(stage)..end.saturating_sub(stage));
+    let clocks = first.saturating_sub(stage)..end.saturating_sub(stage);
+    let fed = stimulus.fed_rows(clocks).flat_map(|row| entries(design, stimulus, row));
     let lanes = batch.of(node);
     fed.filter_map(move |entries| {
         let (begin, end) = (entries.start + stage, entries.end + stage);
         let rows = (begin.max(first) - first) as usize..(end - first) as usize;
         Some((begin.max(first), lanes?.rows(rows)))
     })
+}
+
+/// The rows of a row of entries of which values belong to pixels.
+fn entries(design: &Design, stimulus: &Stimulus, row: Row<u64>) -> Vec<Row<u64>> {
+    if !design.last_slot_only {
+        return vec![row];
+    }
+    row.filter(|&clock| stimulus.completes(clock)).map(|clock| clock..clock + 1).collect()
 }
 
 /// Clocks of pixels that went in for which a fact did not hold, of these clocks, in no order.
@@ -146,5 +157,6 @@ fn entries_outside(
     let Some(first) = lanes.first_outside(range.low, range.high) else { return Vec::new() };
     let entry = |row: usize| (batch.first_clock() + row as u64).checked_sub(stage);
     let outside = (first..lanes.clocks()).filter(|&row| !range.contains(lanes.get(row)));
-    outside.filter_map(entry).filter(|&entry| stimulus.feeds(entry)).collect()
+    let fed = outside.filter_map(entry).filter(|&entry| stimulus.feeds(entry));
+    fed.filter(|&entry| !design.last_slot_only || stimulus.completes(entry)).collect()
 }

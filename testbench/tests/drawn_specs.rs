@@ -5,16 +5,24 @@ use specula_datapath::Design;
 use specula_fixtures::{Draw, drawn, each_method};
 use specula_golden::exact::MethodSpan;
 use specula_scene::Frame;
-use specula_spec::{CoreSpec, LightPipelines, Method};
+use specula_spec::{Components, CoreSpec, LightPipelines, Method};
 use specula_testbench::{Bench, BenchError, EngineKind, Image};
+
+/// What takes turns in a core: nothing, lights or components.
+const TURNS: [(LightPipelines, Components); 3] = [
+    (LightPipelines::Each, Components::Parallel),
+    (LightPipelines::Shared, Components::Parallel),
+    (LightPipelines::Each, Components::Serial),
+];
 
 fn agrees(seed: u64, method: Method) {
     let mut draw = Draw::new(seed);
     let longest = draw.one_of(&[1, 2, 3, 20, 150]);
     let frame = drawn::frame(&mut draw, longest);
-    let light_pipelines = draw.one_of(&LightPipelines::ALL);
+    let (light_pipelines, components) = draw.one_of(&TURNS);
     let mut general = drawn::spec(&mut draw, &frame, method);
     general.parameters.light_pipelines = light_pipelines;
+    general.parameters.components = components;
     let spec = if draw.one_of(&[true, false]) { general.specialised(&frame) } else { general };
     println!("{spec:?}");
     let bench = match Bench::new(&frame, &spec, "core") {

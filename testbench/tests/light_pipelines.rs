@@ -1,8 +1,11 @@
-//! Lights with a pipeline each, and lights that take turns in one: the same pixels.
+//! Lights with a pipeline each, and lights or components that take turns in one: the same pixels.
 use glam::DVec3;
+use specula_datapath::design::Size;
 use specula_scene::{DirectionalLight, Frame, load};
 use specula_spec::phong::{Highlight, Places};
-use specula_spec::{CoreSpec, Increments, LightPipelines, Method, MethodSpec, SceneCore};
+use specula_spec::{
+    Components, CoreSpec, Increments, LightPipelines, Method, MethodSpec, SceneCore,
+};
 use specula_testbench::{Bench, EngineKind, Outcome};
 
 fn shaded<'a>(frame: &'a Frame, spec: &'a CoreSpec) -> (Bench<'a>, Outcome) {
@@ -16,17 +19,30 @@ fn shaded<'a>(frame: &'a Frame, spec: &'a CoreSpec) -> (Bench<'a>, Outcome) {
 fn take_turns(frame: &Frame, each: &CoreSpec) {
     let mut shared = each.clone();
     shared.parameters.light_pipelines = LightPipelines::Shared;
-    let (a, b) = (shaded(frame, each), shaded(frame, &shared));
-    assert!(a.1.simulated == b.1.simulated, "{}", each.method().name());
-    let lights = each.parameters.lights as u64;
-    assert_eq!(b.1.cycles, b.1.pixels * lights + u64::from(b.0.design.depth()));
-    assert_eq!(u64::from(b.0.design.latency()), u64::from(b.0.design.depth()) + lights - 1);
-    let [each, shared] = [&a.0, &b.0].map(|bench| bench.design.size());
+    let [each, shared] = same_pixels(frame, [each, &shared]);
     assert!(shared.multiplier_bits < each.multiplier_bits && shared.multipliers < each.multipliers);
 }
 
+/// The same of components, each of which takes a clock.
+fn components_take_turns(frame: &Frame, parallel: &CoreSpec) {
+    let mut serial = parallel.clone();
+    serial.parameters.components = Components::Serial;
+    let [parallel, serial] = same_pixels(frame, [parallel, &serial]);
+    assert!(serial.multipliers <= parallel.multipliers);
+}
+
+/// Runs a core and one in which something takes turns, and gives their sizes.
+fn same_pixels(frame: &Frame, cores: [&CoreSpec; 2]) -> [Size; 2] {
+    let [(own, outcome), (turned, in_turns)] = cores.map(|core| shaded(frame, core));
+    assert!(outcome.simulated == in_turns.simulated, "{}", cores[0].method().name());
+    let (turns, depth) = (cores[1].parameters.interval(), turned.design.depth());
+    assert_eq!(in_turns.cycles, in_turns.pixels * u64::from(turns) + u64::from(depth));
+    assert_eq!(turned.design.latency(), depth + turns - 1);
+    [own, turned].map(|bench| bench.design.size())
+}
+
 #[test]
-fn every_methods_lights_can_take_turns() {
+fn every_methods_lights_and_components_can_take_turns() {
     let mut loaded = load("spheres", Some((40, 30))).unwrap();
     let light = |x, y| DirectionalLight {
         direction: DVec3::new(x, y, 1.0).normalize(),
@@ -35,8 +51,10 @@ fn every_methods_lights_can_take_turns() {
     loaded.frame.lights = vec![light(0.5, 0.2), light(-0.7, 0.1), light(0.0, -0.6)];
     for method in Method::ALL {
         let spec = loaded.core_spec(Some(method)).unwrap();
-        take_turns(&loaded.frame, &spec.general());
-        take_turns(&loaded.frame, &spec);
+        for core in [&spec.general(), &spec] {
+            take_turns(&loaded.frame, core);
+            components_take_turns(&loaded.frame, core);
+        }
     }
 }
 
@@ -58,6 +76,7 @@ fn lights_of_all_kinds_can_take_turns() {
             }
             take_turns(&loaded.frame, &spec);
             take_turns(&loaded.frame, &spec.specialised(&loaded.frame));
+            components_take_turns(&loaded.frame, &spec);
         }
     }
 }

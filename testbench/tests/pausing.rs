@@ -9,7 +9,7 @@ use specula_fixtures::frames::{Row, frame_of, material, tilted};
 use specula_fixtures::specs::{spec, spec_with};
 use specula_scene::Frame;
 use specula_sim::{Batch, Columns, Flow};
-use specula_spec::{CoreSpec, LightPipelines, Method};
+use specula_spec::{Components, CoreSpec, LightPipelines, Method};
 use specula_testbench::trace::Choice;
 use specula_testbench::{Bench, EngineKind, Outcome};
 
@@ -33,6 +33,11 @@ fn shared(mut spec: CoreSpec) -> CoreSpec {
     spec
 }
 
+fn serial(mut spec: CoreSpec) -> CoreSpec {
+    spec.parameters.components = Components::Serial;
+    spec
+}
+
 fn run(bench: &Bench, engine: EngineKind) -> Outcome {
     bench.run(engine, &mut |_, _| ()).unwrap()
 }
@@ -41,7 +46,13 @@ fn every_pixel_is_the_models(method: Method) {
     let frame = picture();
     let own = spec(&frame, method);
     let specialised = own.specialised(&frame);
-    for core in [shared(own.clone()), shared(specialised.clone()), own, specialised] {
+    for core in [
+        shared(own.clone()),
+        shared(specialised.clone()),
+        serial(specialised.clone()),
+        own,
+        specialised,
+    ] {
         let mut bench = Bench::new(&frame, &core, "core").unwrap();
         let plain = run(&bench, EngineKind::Fast);
         for seed in SEEDS {

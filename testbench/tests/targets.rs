@@ -6,7 +6,7 @@ use specula_fixtures::each_method;
 use specula_fixtures::frames::{Row, frame_of, material, tilted};
 use specula_fixtures::specs::spec;
 use specula_scene::Frame;
-use specula_spec::{CoreSpec, LightPipelines, Method, TargetClock};
+use specula_spec::{Components, CoreSpec, LightPipelines, Method, TargetClock};
 use specula_testbench::{Bench, EngineKind};
 
 /// Clocks in MHz: operators in a row, and sums in many pieces.
@@ -33,6 +33,8 @@ fn every_pixel_is_the_models(method: Method) {
     let own = spec(&frame, method);
     let mut shared = own.clone();
     shared.parameters.light_pipelines = LightPipelines::Shared;
+    let mut serial = own.clone();
+    serial.parameters.components = Components::Serial;
     for core in [own.specialised(&frame), shared.specialised(&frame)] {
         for target in Target::clocked() {
             for clock in CLOCKS {
@@ -41,6 +43,8 @@ fn every_pixel_is_the_models(method: Method) {
         }
     }
     agrees(&frame, &made_for(&own, "ecp5", 260.0));
+    agrees(&frame, &made_for(&serial.specialised(&frame), "ecp5", 260.0));
+    agrees(&frame, &made_for(&serial, "ice40up", 40.0));
 }
 
 each_method!(every_pixel_is_the_models);

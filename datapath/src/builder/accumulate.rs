@@ -100,7 +100,7 @@ impl Builder {
     /// A feedback register's value of the pixel before, where pixels take several clocks.
     pub(super) fn kept_for_a_pixel(&self, register: NodeId) -> NodeId {
         let mut state = self.state.borrow_mut();
-        (1..state.graph.interval).fold(register, |before, _| {
+        (1..state.graph.loop_registers()).fold(register, |before, _| {
             let value = state.graph.value(before).clone();
             let name = state.unique(value.scope, "state");
             state.push(Value { op: Op::Copy(before), name, ..value })
@@ -114,10 +114,20 @@ impl Builder {
         fraction_bits: u32,
         round: GroupId,
     ) -> NodeId {
+        self.loop_register(Pace::Feedback, (range, fraction_bits), round)
+    }
+
+    /// A register of a loop that is clocked in this way.
+    pub(super) fn loop_register(
+        &self,
+        pace: Pace,
+        (range, fraction_bits): (Range, u32),
+        round: GroupId,
+    ) -> NodeId {
         let mut state = self.state.borrow_mut();
         let (scope, own) = (state.scope, NodeId(state.graph.values.len() as u32));
         let name = state.unique(scope, "state");
-        state.add(Op::Copy(own), Pace::Feedback, Some(round), (range, fraction_bits), name)
+        state.add(Op::Copy(own), pace, Some(round), (range, fraction_bits), name)
     }
 
     /// Lets a register of a loop read the value of the pixel that follows.

@@ -19,6 +19,7 @@ mod recurrence;
 mod sig;
 mod state;
 mod time_slots;
+mod turns;
 mod unit;
 mod vector;
 
@@ -68,7 +69,7 @@ impl Builder {
         let mut state = self.state.borrow_mut();
         let [valid, start] =
             ["valid", "start"].map(|name| state.open_input(name, Range::new(0, 1), 0));
-        (state.graph.valid, state.graph.start) = (valid, start);
+        (state.graph.valid, state.graph.start, state.graph.steps) = (valid, start, valid);
         drop(state);
         Control { valid: self.sig(valid, Rule::Exact), start: self.sig(start, Rule::Exact) }
     }

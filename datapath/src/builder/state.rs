@@ -37,6 +37,8 @@ pub(super) struct State {
     computed: FxHashMap<(ScopeId, Op, Pace), NodeId>,
     /// Values that are taken together with a group already.
     met: FxHashMap<(NodeId, GroupId), NodeId>,
+    /// The bit that begins the turns of components, as each unit sees it.
+    begins: FxHashMap<ScopeId, NodeId>,
     /// What the next unit's instance is to be called, if not after the unit.
     pub instance: Option<String>,
     fault: Option<BuildError>,
@@ -66,6 +68,7 @@ impl State {
             numbers: FxHashMap::default(),
             computed: with_room(),
             met: with_room(),
+            begins: FxHashMap::default(),
             instance: None,
             fault: None,
         }
@@ -176,6 +179,29 @@ impl State {
         let met = self.push(Value { op, pace, together, ..value });
         self.met.insert((id, group), met);
         met
+    }
+
+    /// The bit that begins the turns of components as the unit that is open sees it; none where they
+    /// do not take turns.
+    pub fn begins(&self) -> Option<NodeId> {
+        self.begins.get(&self.scope).copied()
+    }
+
+    /// Lets the unit that is open, and those in it, see the bit that begins the turns of components.
+    pub fn begin_turns(&mut self, begins: NodeId) {
+        self.begins.insert(self.scope, begins);
+    }
+
+    /// A value so many clocks later, for its turn; what is still waits for nothing. In the clock that
+    /// it counts as there in, it is whatever was there before: anything that it has bits for.
+    pub fn waiting(&mut self, id: NodeId, clocks: u32) -> NodeId {
+        if self.graph.is_still(id) {
+            return id;
+        }
+        let Value { range, fraction_bits, .. } = *self.graph.value(id);
+        let range = Range::whole(range.width(), range.signed()).into();
+        let info = SignalInfo { range, fraction_bits, kind: "waiting" };
+        (0..clocks).fold(id, |before, _| self.emit(Op::Copy(before), Pace::Waiting, info))
     }
 
     /// Lets a later name take the place of the one the value has.

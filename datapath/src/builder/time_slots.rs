@@ -24,18 +24,11 @@ impl Builder {
     /// The time slots are counted from `control.start`, in one clock with the inputs, and only
     /// where `control.valid` is 1: a pause may come between any two of them.
     pub fn time_slots(&self, control: &Control, count: u32) -> TimeSlots {
+        if count == 1 {
+            return TimeSlots::one(control.start.clone(), control.valid.clone());
+        }
         let one = self.integer(1);
         let zero = self.integer(0);
-        if count == 1 {
-            let (first_pixel, valid_in_last_slot) = (control.start.clone(), control.valid.clone());
-            return TimeSlots {
-                count,
-                slot: zero,
-                first_pixel,
-                first_slot: one,
-                valid_in_last_slot,
-            };
-        }
         let (slot, later_slot) = self.loaded(&control.start, &zero, count - 1, "turn");
         let (first_pixel, later_first) = self.loaded(&control.start, &one, 1, "first_pixel");
         let (first_slot, valid_in_last_slot) = self.without_registers(|| {
@@ -63,6 +56,13 @@ impl Builder {
 }
 
 impl TimeSlots {
+    /// One for each pixel.
+    pub(super) fn one(first_pixel: Sig, valid_in_last_slot: Sig) -> TimeSlots {
+        let builder = first_pixel.builder.clone();
+        let (first_slot, slot) = (builder.integer(1), builder.integer(0));
+        TimeSlots { count: 1, slot, first_pixel, first_slot, valid_in_last_slot }
+    }
+
     /// How many there are.
     pub fn count(&self) -> u32 {
         self.count

@@ -3,7 +3,7 @@ use std::collections::HashMap;
 
 use super::error::BuildError;
 use super::{Builder, Bundle, Inputs, Sig};
-use crate::design::{NodeId, Op, ScopeId};
+use crate::design::{NodeId, Op, Range, ScopeId};
 use crate::graph::{GroupId, Pace, Rule, Unit, Value};
 use crate::names::CONTROL;
 
@@ -77,7 +77,8 @@ impl Builder {
         let inside = ScopeId(state.graph.units.len() as u32);
         let called = state.instance.take();
         let instance = state.unique(outside, called.as_deref().unwrap_or(name));
-        let inputs = state.group(entering);
+        let begins = state.begins();
+        let inputs = state.group(entering.into_iter().chain(begins));
         let unit = Unit {
             name: name.into(),
             formula: formula.into(),
@@ -92,6 +93,12 @@ impl Builder {
             state.unique(inside, taken);
         }
         state.scope = inside;
+        if let Some(begins) = begins {
+            let name = state.unique(inside, "components_begin");
+            let bit = (Range::new(0, 1), 0);
+            let port = state.add(Op::Copy(begins), Pace::Wire, Some(inputs), bit, name);
+            state.begin_turns(port);
+        }
         (outside, inside)
     }
 

@@ -2,6 +2,7 @@
 use std::ops::{Add, Sub};
 
 use super::Sig;
+use super::turns::{Products, ThreeProducts};
 use crate::bound::{VectorBound, VectorError};
 use crate::graph::{Rule, VectorId, VectorRule};
 
@@ -162,16 +163,19 @@ impl Vector {
     }
 
     fn truncated_dot(&self, other: &Vector, fraction_bits: u32) -> (Sig, f64) {
-        truncated_sum(fraction_bits, |axis| axis(self) * axis(other))
+        let pairs = std::array::from_fn(|k| [self.components()[k], other.components()[k]]);
+        truncated_sum(fraction_bits, &Products::Mixed.of(pairs))
     }
 
     fn truncated_length_squared(&self, fraction_bits: u32) -> (Sig, f64) {
-        truncated_sum(fraction_bits, |axis| axis(self).squared())
+        let pairs = self.components().map(|component| [component, component]);
+        truncated_sum(fraction_bits, &Products::Squares.of(pairs))
     }
 
     /// Each component times `factor`.
     pub fn scaled(&self, factor: &Sig) -> Vector {
-        self.map(|component| component * factor)
+        let products = Products::Mixed.of(self.components().map(|component| [component, factor]));
+        Vector::new([0, 1, 2].map(|k| products.get(k)))
     }
 
     /// `yes` where the bit is 1, else `no`; what has been stated of both is true of either.
@@ -184,12 +188,14 @@ impl Vector {
     /// The cross product of products that are truncated to `fraction_bits` before they are subtracted:
     /// each component is off by less than a unit of their last place.
     pub fn truncated_cross(&self, other: &Vector, fraction_bits: u32) -> Vector {
-        let product = |a: &Sig, b: &Sig| (a * b).truncated(fraction_bits);
-        Vector::new([
-            product(&self.y, &other.z) - product(&self.z, &other.y),
-            product(&self.z, &other.x) - product(&self.x, &other.z),
-            product(&self.x, &other.y) - product(&self.y, &other.x),
-        ])
+        let [a, b] = [self, other];
+        let pairs = [[&a.y, &b.z], [&a.z, &b.x], [&a.x, &b.y]];
+        let less = [[&a.z, &b.y], [&a.x, &b.z], [&a.y, &b.x]];
+        let [products, less] = [pairs, less].map(|pairs| Products::Mixed.of(pairs));
+        Vector::new([0, 1, 2].map(|k| {
+            let product = products.get(k).truncated(fraction_bits);
+            product - less.get(k).truncated(fraction_bits)
+        }))
     }
 
     /// Each component rounded to `fraction_bits`.
@@ -230,18 +236,17 @@ impl Sub<&Vector> for Vector {
     }
 }
 
-/// The sum of what `product` says of each axis, truncated before it is added, and by how much that
-/// makes it smaller, at most.
-fn truncated_sum(fraction_bits: u32, product: impl Fn(fn(&Vector) -> &Sig) -> Sig) -> (Sig, f64) {
+/// The sum of three products, each truncated before it is added, and by how much that makes it
+/// smaller, at most.
+fn truncated_sum(fraction_bits: u32, products: &ThreeProducts) -> (Sig, f64) {
     let mut lost = 0.0;
-    let mut truncated = |axis| {
-        let whole = product(axis);
+    let [x, y, z] = [0, 1, 2].map(|k| {
+        let whole = products.get(k);
         let short = whole.truncated(fraction_bits);
         if short.fraction_bits() < whole.fraction_bits() {
             lost += short.ulp();
         }
         short
-    };
-    let sum = truncated(|of| &of.x) + truncated(|of| &of.y) + truncated(|of| &of.z);
-    (sum, lost)
+    });
+    (x + y + z, lost)
 }

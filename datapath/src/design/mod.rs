@@ -168,6 +168,9 @@ pub struct Design {
     pub start: NodeId,
     /// Clocks from one pixel to the next.
     pub interval: u32,
+    /// Whether values belong to a pixel in the last of these clocks alone: in the others they are
+    /// what is left of components that take turns.
+    pub last_slot_only: bool,
     /// The bit that says a pixel leaves.
     pub valid_out: NodeId,
     /// The pixel that leaves.

@@ -39,8 +39,14 @@ pub enum Pace {
     /// It has no register, and what it gives is what a register that holds its value will have in
     /// the next clock.
     Ahead,
+    /// It is a register that counts a pixel's time slots: one of a loop that takes over with every
+    /// valid clock, also where other loops wait for a pixel's last slot.
+    Slots,
     /// It is no operator: its operand, taken together with a group.
     Meet,
+    /// It is a register, and what it gives counts as there in the clock of its operand: it belongs to
+    /// the clock before, in which a component waits for its turn in a multiplier.
+    Waiting,
 }
 
 /// A value of a [`Graph`].
@@ -106,6 +112,10 @@ pub struct Graph {
     pub start: NodeId,
     /// Clocks from one pixel to the next.
     pub interval: u32,
+    /// Whether values belong to a pixel in the last of these clocks alone.
+    pub last_slot_only: bool,
+    /// The bit with which loops take over what comes: `valid`, or a pixel's last time slot.
+    pub steps: NodeId,
     /// The bit that says, as the inputs do, that what enters leaves as a pixel.
     pub leaves: NodeId,
     /// What leaves: a name, and what stands for which real value.
@@ -141,6 +151,8 @@ impl Graph {
             valid: none,
             start: none,
             interval: 1,
+            last_slot_only: false,
+            steps: none,
             leaves: none,
             outputs: vec![],
             measured_outputs: 0,
@@ -179,9 +191,15 @@ impl Graph {
         &self.groups[id.0 as usize]
     }
 
+    /// Registers from a loop's value to that of the pixel before: a pixel's time slots have values of
+    /// their own unless loops wait for the last of them.
+    pub fn loop_registers(&self) -> u32 {
+        if self.last_slot_only { 1 } else { self.interval }
+    }
+
     /// Whether a value is one that a register keeps from pixel to pixel.
     pub fn is_state(&self, value: &Value) -> bool {
-        matches!(value.pace, Pace::Feedback | Pace::Cleared | Pace::Held)
+        matches!(value.pace, Pace::Feedback | Pace::Cleared | Pace::Held | Pace::Slots)
     }
 
     /// Whether a value is the same at every clock.

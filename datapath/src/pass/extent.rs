@@ -54,7 +54,7 @@ impl Reads<'_> {
                         self.read(operand, taken);
                     }
                 }
-                (op, Pace::Feedback | Pace::Held) => {
+                (op, Pace::Feedback | Pace::Held | Pace::Slots) => {
                     self.valid = self.valid.max(taken);
                     // A choice is one between what comes and what is held.
                     let taken_over = if matches!(op, Op::Select(..)) { 2 } else { 1 };
@@ -96,7 +96,7 @@ impl Reads<'_> {
     /// Counts the operator of a value.
     fn count(&self, value: &Value, extent: &mut Extent) {
         match value.pace {
-            Pace::Feedback | Pace::Held => return,
+            Pace::Feedback | Pace::Held | Pace::Slots => return,
             // One clears the register, and one lets it hold its value.
             Pace::Cleared => extent.size.multiplexers += 2,
             _ => extent.size.count(value.op, value.range.width(), &self.graph.tables, |id| {
@@ -114,7 +114,7 @@ impl Reads<'_> {
 
     /// Registers of validity.
     fn validity(&self) -> u32 {
-        let [valid, leaves] = [self.graph.valid, self.graph.leaves].map(|id| met(self.graph, id));
+        let [valid, leaves] = [self.graph.steps, self.graph.leaves].map(|id| met(self.graph, id));
         let clocks = |id, to: u32| to.saturating_sub(self.schedule.stage(id));
         let last = self.schedule.last();
         if valid == leaves {

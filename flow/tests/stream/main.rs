@@ -12,11 +12,12 @@ mod proof;
 
 use block::{Block, core, frames, shapes};
 use specula_fixtures::{each_method, tools};
-use specula_spec::Method;
+use specula_spec::{Components, Method};
 
 /// Frames of two kinds of light and material one after the other, of cores whose lights have a
-/// pipeline each and of those that share one, in words of both widths, with positions and without:
-/// as `make sim` says, which stands for what `model` does with every method.
+/// pipeline each, of those that share one and of one whose components take turns, in words of both
+/// widths, with positions and without: as `make sim` says, which stands for what `model` does with
+/// every method.
 #[test]
 fn make_sim_passes() {
     if !["iverilog", "make"].into_iter().all(tools::is_installed) {
@@ -24,7 +25,10 @@ fn make_sim_passes() {
     }
     let frames = frames(7);
     for (number, shape) in shapes().into_iter().enumerate() {
-        let spec = core(Method::Lyon, &frames, number % 2 == 1);
+        let mut spec = core(Method::Lyon, &frames, number % 2 == 1);
+        if number == 2 {
+            spec.parameters.components = Components::Serial;
+        }
         let block = Block::new(&spec, &frames, shape);
         for seed in [0, 1 + number as u32] {
             let said = block.make(&["sim", &format!("SEED={seed}")]);

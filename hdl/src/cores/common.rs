@@ -1,6 +1,6 @@
 //! What cores have in common: control inputs, the eye, the pipelines of lights, and the tail that
 //! makes a pixel of what they give.
-use specula_spec::{CoreInputs, CoreParameters, Format, InputGroup, LightInputs};
+use specula_spec::{Components, CoreInputs, CoreParameters, Format, InputGroup, LightInputs};
 
 use super::attenuation::{self, Attenuation};
 use crate::units::{self, Light};
@@ -29,9 +29,13 @@ pub(super) fn squared_normal(square: Sig, parameters: &CoreParameters) -> Sig {
     square.real_within(Interval::at_least(least), SHORTEST_NORMAL)
 }
 
-/// Opens the control inputs; lights that share a pipeline have a time slot each from there on.
+/// Opens the control inputs; lights that share a pipeline have a time slot each from there on, and
+/// components that share multipliers take turns.
 pub(super) fn time_slots(b: &Builder, parameters: &CoreParameters) -> TimeSlots {
-    b.time_slots(&b.control(), parameters.interval())
+    match parameters.components {
+        Components::Parallel => b.time_slots(&b.control(), parameters.interval()),
+        Components::Serial => b.component_turns(&b.control()),
+    }
 }
 
 /// The intensities of one light at a pixel, 0 to 1.

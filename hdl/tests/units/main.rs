@@ -2,6 +2,7 @@
 mod accumulators;
 mod any_power;
 mod channel;
+mod component_turns;
 mod cosine;
 mod difference;
 mod diffuse;

@@ -4,7 +4,7 @@ use specula_fixtures::{each_method, few_spans};
 use specula_scene::Frame;
 use specula_sim::{Effort, Engine, Icarus, RustHdl, Stimulus, Verilator};
 use specula_spec::phong::Places;
-use specula_spec::{CoreSpec, Increments, LightPipelines, Method, MethodSpec};
+use specula_spec::{Components, CoreSpec, Increments, LightPipelines, Method, MethodSpec};
 
 use crate::agreement;
 use crate::installed::{if_installed, verilator};
@@ -115,6 +115,19 @@ fn shared_pipelines_outputs_agree() {
 
 fn shared(mut spec: CoreSpec) -> CoreSpec {
     spec.parameters.light_pipelines = LightPipelines::Shared;
+    spec
+}
+
+#[test]
+fn outputs_agree_where_components_take_turns() {
+    let mut frame = few_spans::frame(1969, 3, 7);
+    outputs_of_agree(&serial(spec(&frame, Method::Lyon)), &frame);
+    few_spans::place_lights(&mut frame);
+    outputs_of_agree(&serial(spec(&frame, Method::Phong)), &frame);
+}
+
+fn serial(mut spec: CoreSpec) -> CoreSpec {
+    spec.parameters.components = Components::Serial;
     spec
 }
 

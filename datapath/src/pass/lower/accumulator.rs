@@ -46,7 +46,7 @@ pub fn accumulators(graph: &Graph) -> HashMap<NodeId, Accumulator> {
         Some(&[one]) => Some(one),
         _ => None,
     };
-    let states = graph.values.iter().zip(0..).filter(|_| graph.interval == 1);
+    let states = graph.values.iter().zip(0..).filter(|_| graph.loop_registers() == 1);
     let found = states.filter_map(|(state, index)| {
         let (Pace::Feedback, Op::Wrap(next)) = (state.pace, state.op) else { return None };
         let value = only_reader(NodeId(index))?;
@@ -62,7 +62,7 @@ pub fn accumulators(graph: &Graph) -> HashMap<NodeId, Accumulator> {
 pub fn changing(graph: &Graph) -> Vec<bool> {
     let mut changing = vec![false; graph.values.len()];
     for (index, value) in graph.values.iter().enumerate() {
-        let control = [graph.valid, graph.start].contains(&NodeId(index as u32));
+        let control = [graph.valid, graph.start, graph.steps].contains(&NodeId(index as u32));
         let operand = value.op.operands().any(|id| changing[id.0 as usize]);
         changing[index] = control || graph.is_state(value) || operand;
     }

@@ -175,7 +175,7 @@ impl<'a> Lowering<'a> {
         graph.reals.iter_mut().for_each(|real| real.value = new(real.value));
         graph.inputs.iter_mut().flatten().for_each(|id| *id = new(*id));
         graph.assumptions.iter_mut().for_each(|assumption| assumption.node = new(assumption.node));
-        for id in [&mut graph.valid, &mut graph.start, &mut graph.leaves] {
+        for id in [&mut graph.valid, &mut graph.start, &mut graph.steps, &mut graph.leaves] {
             *id = new(*id);
         }
         Lowered { graph: self.graph, carries: self.carries }

@@ -77,7 +77,7 @@ impl<'a> Placing<'a> {
             return;
         }
         let mut value = value.clone();
-        if !matches!(value.pace, Pace::Feedback | Pace::Cleared) {
+        if !matches!(value.pace, Pace::Feedback | Pace::Cleared | Pace::Slots) {
             let leaves = self.graph.left_unit(&value).is_some();
             let op = value.op.map(|operand| match self.signals[operand.0 as usize] {
                 Some(signal) if leaves => {
@@ -217,7 +217,11 @@ impl<'a> Placing<'a> {
                 }
                 op => {
                     let op = op.map(|operand| self.aligned(self.signal(operand), taken));
-                    self.with_valid_pixel(own, op, taken)
+                    let valid = match value.pace {
+                        Pace::Slots => self.valid_at(self.signal(self.graph.valid), taken),
+                        _ => self.valid_in(value.scope, taken),
+                    };
+                    self.with_valid_pixel(own, op, valid)
                 }
             };
         }
@@ -256,6 +260,7 @@ impl<'a> Placing<'a> {
             nodes: self.nodes,
             tables: graph.tables.clone(),
             interval: graph.interval,
+            last_slot_only: graph.last_slot_only,
             valid_out,
             outputs,
             primitives: Primitives::default(),

@@ -14,10 +14,9 @@ impl Placing<'_> {
         valid
     }
 
-    /// The operator of a register that holds its value where no pixel is at `stage`. Without that
-    /// it reads one signal, or has an enable of its own.
-    pub(super) fn with_valid_pixel(&mut self, own: NodeId, op: Op, stage: u32) -> Op {
-        let valid = self.valid_in(self.node(own).scope, stage);
+    /// The operator of a register that holds its value where no pixel is, by the bit `valid`. Without
+    /// that it reads one signal, or has an enable of its own.
+    pub(super) fn with_valid_pixel(&mut self, own: NodeId, op: Op, valid: NodeId) -> Op {
         match op {
             Op::Select(enable, next, _) => {
                 let name = format!("{}_enable", self.node(own).name);
@@ -56,9 +55,9 @@ impl Placing<'_> {
 
     /// Whether a pixel is at `stage`, as a unit sees it: by a port of its own, so that no unit has
     /// registers of validity.
-    fn valid_in(&mut self, scope: ScopeId, stage: u32) -> NodeId {
+    pub(super) fn valid_in(&mut self, scope: ScopeId, stage: u32) -> NodeId {
         let Some(outside) = self.graph.unit(scope).parent else {
-            return self.valid_at(self.signal(self.graph.valid), stage);
+            return self.valid_at(self.signal(self.graph.steps), stage);
         };
         if let Some(&port) = self.valid_ports.get(&(scope, stage)) {
             return port;
@@ -77,7 +76,7 @@ impl Placing<'_> {
     }
 
     /// A bit of validity, delayed to `stage` by registers that reset clears. All readers share them.
-    fn valid_at(&mut self, bit: NodeId, stage: u32) -> NodeId {
+    pub(super) fn valid_at(&mut self, bit: NodeId, stage: u32) -> NodeId {
         let own = self.node(bit).stage;
         let mut at = bit;
         for clock in own + 1..=stage {

@@ -17,7 +17,7 @@ pub fn schedule(graph: &Graph) -> Schedule {
             }
             Pace::Wire | Pace::Gate | Pace::Meet => (0, 0),
             Pace::Register | Pace::Held => (1, 1),
-            Pace::Feedback | Pace::Cleared => (0, 1),
+            Pace::Feedback | Pace::Cleared | Pace::Slots | Pace::Waiting => (0, 1),
             Pace::Ahead | Pace::After => (1, 0),
         };
         schedule.taken.push(taken);

@@ -115,7 +115,7 @@ impl<'a> Programme<'a> {
             Pace::Held | Pace::Ahead | Pace::After => 1,
             Pace::Target => self.paths.block_registers(value).into(),
             Pace::Wire | Pace::Gate | Pace::Meet | Pace::Register => 0,
-            Pace::Feedback | Pace::Cleared => 0,
+            Pace::Feedback | Pace::Cleared | Pace::Slots | Pace::Waiting => 0,
         }
     }
 
@@ -136,7 +136,9 @@ impl<'a> Programme<'a> {
         }
         for (id, value) in self.values().filter(|(_, value)| !value.still) {
             self.differences.at_least(self.taken(id), self.entry, 0);
-            if value.together.is_none() || matches!(value.pace, Pace::Feedback | Pace::Cleared) {
+            if value.together.is_none()
+                || matches!(value.pace, Pace::Feedback | Pace::Cleared | Pace::Slots)
+            {
                 for operand in value.op.operands() {
                     self.there(operand, self.taken(id), clears(value, operand).into());
                 }
@@ -226,7 +228,7 @@ impl<'a> Programme<'a> {
             let merges = !self.is_port(value) && !is_alias && late;
             let (stage, registers) = match value.pace {
                 Pace::Held => (there, 1),
-                Pace::Feedback | Pace::Cleared => (there, 1),
+                Pace::Feedback | Pace::Cleared | Pace::Slots | Pace::Waiting => (there, 1),
                 _ if there > own && value.pace == Pace::Target => (there, there - own),
                 _ if matches!(value.op, Op::Input | Op::Constant(_)) || !merges => (there, 0),
                 _ => (there + 1, 1),

@@ -102,7 +102,7 @@ pub fn schedule(graph: &Graph, pipelining: &Pipelining) -> Result<Schedule, Loop
 /// What goes round a loop has to be there in the clock in which the loop reads it.
 fn check_loops(graph: &Graph, schedule: &Schedule) -> Result<(), LoopTooLate> {
     for (index, value) in graph.values.iter().enumerate() {
-        if value.pace != Pace::Feedback {
+        if !matches!(value.pace, Pace::Feedback | Pace::Slots) {
             continue;
         }
         let own = schedule.stage(NodeId(index as u32));

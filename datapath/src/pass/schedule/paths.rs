@@ -113,7 +113,9 @@ impl<'a> Paths<'a> {
         match value.pace {
             // What is added up goes to two registers, of which one is not beside the adder.
             Pace::Cleared => return Way::Into(self.fabric.net),
-            Pace::Feedback | Pace::Held | Pace::After => return Way::Into(0.0),
+            Pace::Feedback | Pace::Held | Pace::Slots | Pace::After | Pace::Waiting => {
+                return Way::Into(0.0);
+            }
             Pace::Gate => return Way::Through(0.0),
             _ => {}
         }
