@@ -6,6 +6,7 @@ use specula_scene::needs::{LocalKind, Needs};
 use crate::core_spec::CoreSpec;
 use crate::error::SpecError;
 use crate::parameters::{CoreParameters, FULL_SCALE};
+use crate::shading_method::Viewpoint;
 use crate::specialisation::Given;
 use crate::specialise::GivenValues;
 
@@ -30,6 +31,7 @@ impl CoreSpec {
     pub fn fit_to(&self, frame: &Frame) -> Result<FittedCore, SpecError> {
         let needs = Needs::of(frame);
         self.parameters.check_lights(&needs)?;
+        self.check_attenuation(&needs)?;
         self.parameters.check_sizes(&needs)?;
         self.method.shading().check_compatible(&needs)?;
         let mut frame = frame.clone();
@@ -39,6 +41,27 @@ impl CoreSpec {
         let view_cosine = self.least_view_cosine(&needs);
         let parameters = self.parameters.clone().with_bounds_for(&needs, view_cosine);
         Ok(FittedCore { frame, spec: CoreSpec { parameters, ..self.clone() } })
+    }
+
+    /// Lights that become weaker with distance, where pixels have to know.
+    fn check_attenuation(&self, needs: &Needs) -> Result<(), SpecError> {
+        let own = self.parameters.attenuation.iter().flat_map(|attenuation| &attenuation.lights);
+        let own: Vec<usize> = own.copied().collect();
+        let serves = self.places_seen_from() == Viewpoint::Vertex
+            || needs.attenuated_lights.iter().all(|light| own.contains(light));
+        let named = |lights: &[usize]| match lights {
+            [] => "none".to_owned(),
+            lights => {
+                lights.iter().map(|light| (light + 1).to_string()).collect::<Vec<_>>().join(", ")
+            }
+        };
+        if serves {
+            return Ok(());
+        }
+        lacks(
+            format!("of its lights at places, these become weaker with distance: {}", named(&own)),
+            format!("has such lights: {}", named(&needs.attenuated_lights)),
+        )
     }
 
     /// Whether inputs are given what the core was built for.

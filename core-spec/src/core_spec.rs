@@ -2,6 +2,7 @@
 use specula_datapath::{Format, Hold, InputPort};
 use specula_scene::needs::Needs;
 
+use crate::attenuation::{AttenuationFormats, AttenuationSpec};
 use crate::components::Components;
 use crate::core_input::{CoreInput, InputRole};
 use crate::defaults::span_bits;
@@ -61,13 +62,18 @@ impl CoreSpec {
         let method = method.or(named).unwrap_or(Method::default_for(needs));
         let pipelines = table.light_pipelines.unwrap_or_default();
         let components = table.components.unwrap_or_default();
+        let mut options = table.method_table(method);
+        let of_lights = AttenuationFormats::taken_from(&mut options);
         let mut spec = CoreSpec {
             parameters: CoreParameters::for_needs(needs, pipelines, components),
-            method: with_places_that_serve(method.spec(needs, &table.method_table(method))?, needs),
+            method: with_places_that_serve(method.spec(needs, &options)?, needs),
             specialisation: Specialisation::default(),
             target: None,
         };
         spec.parameters.least_view_cosine = spec.least_view_cosine(needs);
+        if spec.places_seen_from() != Viewpoint::Vertex {
+            spec.parameters.attenuation = AttenuationSpec::for_needs(needs, &of_lights)?;
+        }
         let spec = spec.for_highlights(needs, &table.named_formats(method));
         spec.check()?;
         spec.method.shading().check_compatible(needs)?;
@@ -169,9 +175,19 @@ impl CoreSpec {
         InputPort { hold, ..self.specialisation.narrowed(&input.port) }
     }
 
-    /// Every place where the method rounds values, in the order of the data.
+    /// Every place where values are rounded, those of the method first, in the order of the data.
     pub fn narrowing_points(&self) -> Vec<NarrowingPoint> {
-        self.method.shading().narrowing_points(span_bits(self.parameters.longest_span))
+        let span_bits = span_bits(self.parameters.longest_span);
+        let attenuation = self.parameters.attenuation.iter();
+        let of_lights = attenuation.flat_map(|attenuation| attenuation.narrowing_points(span_bits));
+        self.method.shading().narrowing_points(span_bits).into_iter().chain(of_lights).collect()
+    }
+
+    /// The format of the narrowing point called `name`.
+    pub(crate) fn format_mut(&mut self, name: &str) -> Option<&mut Format> {
+        let attenuation = self.parameters.attenuation.as_mut();
+        let of_lights = attenuation.and_then(|attenuation| attenuation.formats.named_mut(name));
+        of_lights.or_else(|| self.method.format_mut(name))
     }
 
     /// The same core for any scene, with other formats at these narrowing points.
@@ -182,7 +198,7 @@ impl CoreSpec {
         let mut spec = self.general();
         for &(name, format) in formats {
             let wrong = || SpecError::Core { message: format!("no narrowing point `{name}`") };
-            *spec.method.format_mut(name).ok_or_else(wrong)? = format;
+            *spec.format_mut(name).ok_or_else(wrong)? = format;
         }
         spec.check()?;
         Ok(spec)

@@ -62,7 +62,7 @@ impl CoreSpec {
     fn changed<'a>(&self, formats: impl Iterator<Item = (&'a str, Format)>) -> Option<CoreSpec> {
         let mut spec = self.clone();
         for (name, format) in formats {
-            *spec.method.format_mut(name)? = format;
+            *spec.format_mut(name)? = format;
         }
         Some(spec)
     }

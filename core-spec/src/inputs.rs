@@ -8,6 +8,7 @@ use specula_scene::limits::MOST_LIGHTS;
 use crate::core_input::{CoreInput, InputRole};
 use crate::input_meaning::InputMeaning;
 use crate::parameters::CoreParameters;
+use crate::quadratic::Quadratic;
 
 /// One for each light of a core, which has [`MOST_LIGHTS`] at most: no memory is allocated for
 /// them.
@@ -44,6 +45,8 @@ pub struct CoreInputs<S, L, T> {
 pub struct LightInputs<L, T> {
     /// What a method has for each light.
     pub light: L,
+    /// What distance leaves of it, where it becomes weaker.
+    pub attenuation: Option<Quadratic<T>>,
     /// Diffuse coefficients, in LSBs.
     pub diffuse: [T; 3],
     /// Specular coefficients, in LSBs.
@@ -73,6 +76,7 @@ pub trait MethodInputs {
         };
         let light = |index: usize| LightInputs {
             light: self.light_inputs(core, index),
+            attenuation: core.attenuation_inputs(index),
             diffuse: colour(InputRole::Diffuse, &format!("light{index}_diffuse")),
             specular: colour(InputRole::Specular, &format!("light{index}_specular")),
         };
@@ -143,6 +147,7 @@ impl<L: InputGroup<Value = T>, T> InputGroup for LightInputs<L, T> {
     fn map_each<U>(&self, f: &mut impl FnMut(&T) -> U) -> Self::Mapped<U> {
         LightInputs {
             light: self.light.map_each(f),
+            attenuation: self.attenuation.as_ref().map(|attenuation| attenuation.map_each(f)),
             diffuse: self.diffuse.each_ref().map(&mut *f),
             specular: self.specular.each_ref().map(&mut *f),
         }
@@ -153,6 +158,7 @@ impl<L: InputGroup<Value = T>, T> InputGroup for LightInputs<L, T> {
         T: Clone,
     {
         self.light.append_to(all);
+        self.attenuation.iter().for_each(|attenuation| attenuation.append_to(all));
         all.extend_from_slice(&self.diffuse);
         all.extend_from_slice(&self.specular);
     }

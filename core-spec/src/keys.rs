@@ -6,6 +6,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use specula_datapath::Format;
 use specula_scene::needs::LocalKind;
 
+use crate::attenuation::AttenuationSpec;
 use crate::components::Components;
 use crate::core_spec::CoreSpec;
 use crate::light_pipelines::LightPipelines;
@@ -36,6 +37,8 @@ struct Keys {
     shortest_halfway: f64,
     least_cone_cosine: f64,
     least_view_cosine: f64,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    attenuation: Option<AttenuationSpec>,
     method: MethodSpec,
     #[serde(default, skip_serializing_if = "Specialisation::is_general")]
     specialisation: Specialisation,
@@ -89,5 +92,6 @@ parameters_have_keys!(
     shortest_unit_way,
     shortest_halfway,
     least_cone_cosine,
-    least_view_cosine
+    least_view_cosine,
+    attenuation
 );

@@ -10,6 +10,7 @@
 //! light, `defaults` the formats for a scene and what may be asked for, `set_up` the host's work
 //! for a span. It sees parameters and never a whole core, so nothing beneath it depends on which
 //! methods there are; a line in `method` makes it known.
+pub mod attenuation;
 mod compatibility;
 mod components;
 pub mod consistent;
@@ -54,6 +55,7 @@ pub mod ways;
 
 pub use specula_datapath::{Format, Hold, InputPort, SpanPacket, format};
 
+pub use attenuation::AttenuationSpec;
 pub use compatibility::FittedCore;
 pub use components::Components;
 pub use consistent::{ConsistentInputs, ConsistentSpec};

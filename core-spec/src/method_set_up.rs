@@ -1,7 +1,8 @@
 //! A method's part of the set-up of one span.
 use specula_scene::frame::Span;
 
-use crate::inputs::{CoreInputs, InputGroup, LightInputs};
+use crate::inputs::{CoreInputs, InputGroup, LightInputs, Many};
+use crate::quadratic::Quadratic;
 
 /// Inputs that depend on the material alone, as raw values.
 pub struct MaterialInputs {
@@ -19,11 +20,21 @@ pub struct Coefficients {
     pub specular: [i64; 3],
 }
 
+/// What distance leaves of each light along a span, as raw values; none of those that do not become
+/// weaker.
+pub type Attenuations = Many<Option<Quadratic<i64>>>;
+
 /// Sets up spans of one frame for a core with some method.
 pub trait SetUpSpan: Send + Sync {
     /// Appends raw values of the core's inputs, in port order. They may lie outside the ports'
     /// ranges by what f64 rounds.
-    fn append(&self, span: &Span, material: &MaterialInputs, out: &mut Vec<i64>);
+    fn append(
+        &self,
+        span: &Span,
+        material: &MaterialInputs,
+        attenuations: Attenuations,
+        out: &mut Vec<i64>,
+    );
 }
 
 /// What one method computes for the spans of one frame.
@@ -57,17 +68,26 @@ pub trait MethodSetUp: Send + Sync {
 }
 
 impl<M: MethodSetUp> SetUpSpan for M {
-    fn append(&self, span: &Span, material: &MaterialInputs, out: &mut Vec<i64>) {
+    fn append(
+        &self,
+        span: &Span,
+        material: &MaterialInputs,
+        attenuations: Attenuations,
+        out: &mut Vec<i64>,
+    ) {
         let geometry = self.geometry(span);
-        let light = |(index, coefficients): (usize, &Coefficients)| LightInputs {
-            light: self.light_inputs(span, &geometry, index),
-            diffuse: coefficients.diffuse,
-            specular: if self.has_highlight(index) { coefficients.specular } else { [0; 3] },
-        };
+        let lights = material.lights.iter().zip(attenuations).enumerate();
+        let light =
+            |(index, (coefficients, attenuation)): (usize, (&Coefficients, _))| LightInputs {
+                light: self.light_inputs(span, &geometry, index),
+                attenuation,
+                diffuse: coefficients.diffuse,
+                specular: if self.has_highlight(index) { coefficients.specular } else { [0; 3] },
+            };
         let inputs = CoreInputs {
             span: self.span_inputs(span, &geometry),
             ambient: material.ambient,
-            lights: material.lights.iter().enumerate().map(light).collect(),
+            lights: lights.map(light).collect(),
         };
         inputs.append_to(out);
     }

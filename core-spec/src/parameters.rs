@@ -3,6 +3,7 @@ use specula_datapath::{Format, Hold};
 use specula_scene::limits::{LARGEST_SHININESS, LONGEST_SPAN, MOST_LIGHTS};
 use specula_scene::needs::{LocalKind, Needs};
 
+use crate::attenuation::AttenuationSpec;
 use crate::components::Components;
 use crate::core_input::InputRole;
 use crate::error::{SpecError, within};
@@ -57,10 +58,12 @@ pub struct CoreParameters {
     /// Smallest cosine between an interpolated normal and the direction to the eye. Error bounds
     /// rest on it; widths do not.
     pub least_view_cosine: f64,
+    /// Which lights become weaker with distance, if any do and pixels have to know.
+    pub attenuation: Option<AttenuationSpec>,
 }
 
 impl CoreParameters {
-    /// Those of a core for a scene with these needs.
+    /// Those of a core for a scene with these needs, in which light does not become weaker.
     pub(crate) fn for_needs(
         needs: &Needs,
         light_pipelines: LightPipelines,
@@ -82,6 +85,7 @@ impl CoreParameters {
             shortest_halfway: needs.shortest_halfway,
             least_cone_cosine: needs.least_cone_cosine,
             least_view_cosine: needs.least_view_cosine,
+            attenuation: None,
         }
     }
 
@@ -164,7 +168,8 @@ impl CoreParameters {
                 within("exponent", exponent.into(), 1.0, LARGEST_SHININESS.into())?;
             }
         }
-        Ok(())
+        let local = self.local_lights.len();
+        self.attenuation.as_ref().map_or(Ok(()), |attenuation| attenuation.check(local))
     }
 
     fn check_coefficient(&self) -> Result<(), SpecError> {

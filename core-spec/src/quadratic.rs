@@ -44,6 +44,12 @@ impl Quadratic<CoreInput> {
         Quadratic::inputs(value, name, format, [(-1.0, 1.0), (-2.0, 2.0), (-4.0, 4.0)])
     }
 
+    /// The inputs of what [`Quadratic::through`] makes of values from 0 to 1: differences of
+    /// neighbours are up to 1 and 2.
+    pub(crate) fn share_inputs(value: &str, name: &str, format: Format) -> Quadratic<CoreInput> {
+        Quadratic::inputs(value, name, format, [(0.0, 1.0), (-1.0, 1.0), (-2.0, 2.0)])
+    }
+
     /// The inputs of a quadratic, `value` as a formula; `limits` of start value, first and second
     /// difference.
     fn inputs(
@@ -74,6 +80,14 @@ impl Quadratic<f64> {
             first_difference: used_from(1, a + b),
             second_difference: used_from(2, 2.0 * a),
         }
+    }
+
+    /// Through values at the first pixel, half-way and at the last.
+    pub(crate) fn through(span: &Span, [first, half, last]: [f64; 3]) -> Quadratic<f64> {
+        let steps = f64::from(span.steps().max(1));
+        let bend = 2.0 * (first - 2.0 * half + last);
+        let slope = last - first - bend;
+        Quadratic::new(span, first, slope / steps, bend / steps / steps)
     }
 
     /// (m + k i)·(m + k i).

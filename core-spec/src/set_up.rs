@@ -4,8 +4,9 @@ use specula_scene::ParallelSpan;
 use specula_scene::frame::{Colour, Frame, Material, Span};
 
 use crate::core_spec::CoreSpec;
-use crate::method_set_up::{Coefficients, MaterialInputs, SetUpSpan};
+use crate::method_set_up::{Attenuations, Coefficients, MaterialInputs, SetUpSpan};
 use crate::parameters::{CoreParameters, FULL_SCALE};
+use crate::quadratic::Quadratic;
 use crate::shading_method::Viewpoint;
 
 /// Sets up spans of one frame for a core; what does not change from span to span is computed
@@ -46,7 +47,7 @@ impl<'a> SetUp<'a> {
             self.append_from_the_middle(span, out);
         } else {
             let material = &self.materials[self.frame.triangles[span.triangle].material];
-            self.method.append(span, material, out);
+            self.method.append(span, material, self.attenuations(span), out);
         }
         // In exact arithmetic nothing is out of range; f64 may be by some units of its own last
         // place, as N·N of a unit vector is.
@@ -68,7 +69,19 @@ impl<'a> SetUp<'a> {
         let material =
             material_inputs(&self.core.parameters, &parallel.frame, &parallel.frame.materials[0]);
         let method = self.core.method.shading().set_up(&parallel.frame);
-        method.append(parallel.span(), &material, out);
+        method.append(parallel.span(), &material, self.attenuations(span), out);
+    }
+
+    /// What distance leaves of each light along a span.
+    fn attenuations(&self, span: &Span) -> Attenuations {
+        let parameters = &self.core.parameters;
+        let of_light = |index: usize| {
+            let format = parameters.attenuation_of(index)?.formats.attenuation_accumulator;
+            // A light that does not become weaker is whole everywhere.
+            let along = self.frame.attenuation_along(span, index).unwrap_or([1.0; 3]);
+            Some(Quadratic::through(span, along).quantised(format))
+        };
+        (0..parameters.lights).map(of_light).collect()
     }
 }
 

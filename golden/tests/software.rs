@@ -19,7 +19,7 @@ use specula_golden::loops::{
     Trigonometric, TrowbridgeReitz, Uniform, Unit,
 };
 use specula_scene::frame::EYE;
-use specula_scene::{DirectionalLight, Frame, LocalLight, Needs, Spot};
+use specula_scene::{Attenuation, DirectionalLight, Frame, LocalLight, Needs, Spot};
 use specula_spec::phong::Places;
 use specula_spec::{CoreSpec, FULL_SCALE, Method, MethodSpec};
 
@@ -371,6 +371,27 @@ fn the_middle_of_a_pixel_sees_places() {
     }
 }
 
+/// Light that becomes weaker with distance, along a span as the method has it.
+#[test]
+fn loops_of_pixels_know_what_distance_leaves() {
+    let mut frame = lit_from_places(1.5);
+    let weaker = Attenuation { constant: 0.3, linear: 0.2, quadratic: 0.4 };
+    frame.local_lights[1].attenuation = Some(weaker);
+    let core = CoreSpec::for_scene(&Needs::of(&frame), None, Some(Method::Phong)).unwrap();
+    let span = &frame.spans[0];
+    let mut expected = [[0.0; 3]; 65];
+    MethodSpan::new(&core, &frame, span).shade(&mut expected);
+    let mut out = [[0.0; 3]; 65];
+    by_name("phong-places").unwrap().shade(&frame, span, &mut out);
+    let [expected, out] =
+        [expected.map(|pixel| pixel[0]), out.map(|pixel: [f32; 3]| f64::from(pixel[0]))];
+    let error = largest_difference(&expected, &out);
+    assert!(error < 0.01, "{error}");
+    let whole = lit_from_places(1.5);
+    let brighter = phong(&whole, span, 32)[0] - phong(&frame, span, 32)[0];
+    assert!(brighter > 5.0, "{brighter}");
+}
+
 /// Lights and an eye far away are the same from the middle of a span as at infinity.
 #[test]
 fn far_places_are_as_at_infinity() {
@@ -409,6 +430,7 @@ fn lit_from_places(distance: f64) -> Frame {
     let lamp = |direction: DVec3, spot| LocalLight {
         position: distance * direction,
         spot,
+        attenuation: None,
         colour: [0.5; 3],
     };
     let spot = Spot { axis: -tilted(-30.0), exponent: 20 };

@@ -6,6 +6,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::arc::{Arc, or_the_other};
+use crate::attenuation::Attenuation;
 use crate::mesh::normals::newell;
 
 /// The direction to the eye, in view space.
@@ -42,13 +43,15 @@ pub struct DirectionalLight {
     pub colour: Colour,
 }
 
-/// A light at a place, whose brightness does not depend on the distance.
+/// A light at a place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LocalLight {
     /// Its position in view space.
     pub position: DVec3,
     /// The spot that narrows it to a cone, if there is one.
     pub spot: Option<Spot>,
+    /// How it becomes weaker with distance, if it does.
+    pub attenuation: Option<Attenuation>,
     /// Its colour and strength.
     pub colour: Colour,
 }
@@ -164,6 +167,11 @@ impl Span {
         [start, (end - start) / f64::from(self.steps().max(1))]
     }
 
+    /// Barycentric weights half-way between the first pixel and the last.
+    pub fn middle(&self) -> [f64; 3] {
+        std::array::from_fn(|v| f64::midpoint(self.start[v], self.end[v]))
+    }
+
     /// Barycentric weights at pixel `i`.
     pub fn weights(&self, i: u32) -> [f64; 3] {
         let t = self.parameter(i);
@@ -227,6 +235,16 @@ impl Frame {
     pub fn position_at(&self, span: &Span, weights: [f64; 3]) -> DVec3 {
         let positions = &self.triangles[span.triangle].positions;
         positions[0] * weights[0] + positions[1] * weights[1] + positions[2] * weights[2]
+    }
+
+    /// What distance leaves of light number `index`, those at infinity counted first, at a span's
+    /// first pixel, half-way, and at its last; `None` for a light that does not become weaker.
+    pub fn attenuation_along(&self, span: &Span, index: usize) -> Option<[f64; 3]> {
+        let light = &self.local_lights.get(index.checked_sub(self.lights.len())?)?;
+        let attenuation = light.attenuation?;
+        let at =
+            |weights| attenuation.at((light.position - self.position_at(span, weights)).length());
+        Some([span.start, span.middle(), span.end].map(at))
     }
 
     /// Vectors from a span's first and last pixel to a `place` in view space, scaled by one common

@@ -9,9 +9,11 @@ use crate::frame::{EYE, Frame, LocalLight};
 pub struct Illumination {
     /// L, a unit vector towards the light.
     pub direction: DVec3,
-    /// The share of it that arrives, 0 to 1: 1 except for a spot, which has Warn's factor
+    /// The share of it that its direction leaves, 0 to 1: 1 except for a spot, which has Warn's factor
     /// max(-L·axis, 0)^p.
     pub share: f64,
+    /// What distance leaves of it, 0 to 1: 1 for a light that does not become weaker.
+    pub attenuation: f64,
 }
 
 impl Frame {
@@ -22,19 +24,20 @@ impl Frame {
 
     /// Every light as seen from `position`, those at infinity first; `None` for a light there.
     pub fn lights_from(&self, position: DVec3) -> impl Iterator<Item = Option<Illumination>> {
-        let at_infinity = self
-            .lights
-            .iter()
-            .map(|light| Some(Illumination { direction: light.direction, share: 1.0 }));
+        let at_infinity = self.lights.iter().map(|light| {
+            Some(Illumination { direction: light.direction, share: 1.0, attenuation: 1.0 })
+        });
         at_infinity.chain(self.local_lights.iter().map(move |light| from_a_place(light, position)))
     }
 }
 
 fn from_a_place(light: &LocalLight, position: DVec3) -> Option<Illumination> {
-    let direction = (light.position - position).try_normalize()?;
+    let way = light.position - position;
+    let direction = way.try_normalize()?;
     let factor = |axis: DVec3, exponent: u32| {
         libm::pow((-direction.dot(axis)).clamp(0.0, 1.0), f64::from(exponent))
     };
     let share = light.spot.as_ref().map_or(1.0, |spot| factor(spot.axis, spot.exponent));
-    Some(Illumination { direction, share })
+    let attenuation = light.attenuation.map_or(1.0, |attenuation| attenuation.at(way.length()));
+    Some(Illumination { direction, share, attenuation })
 }

@@ -4,6 +4,7 @@
 //! they ask of the hardware that shades them.
 mod angle;
 mod arc;
+mod attenuation;
 mod builtin;
 pub mod contributions;
 pub mod defaults;
@@ -27,6 +28,7 @@ mod wrap;
 mod wrapped_places;
 
 pub use arc::Arc;
+pub use attenuation::Attenuation;
 pub use builtin::{builtin_names, builtin_text};
 pub use error::SceneError;
 pub use file::{CoreTable, SourceFile};

@@ -16,6 +16,9 @@ pub struct Needs {
     pub lights: usize,
     /// Lights at places, which come last.
     pub local_lights: Vec<LocalKind>,
+    /// Which of them become weaker with distance, counted from 0.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub attenuated_lights: Vec<usize>,
     /// Whether the eye that sees highlights is at a place.
     pub local_eye: bool,
     /// Length of the longest span in pixels.
@@ -150,6 +153,7 @@ impl Needs {
         Needs {
             lights: frame.lights.len() + frame.local_lights.len(),
             local_lights: frame.local_lights.iter().map(LocalKind::of).collect(),
+            attenuated_lights: attenuated_lights(frame),
             local_eye: frame.eye.is_some(),
             longest_span: frame.spans.iter().map(|s| s.length).max().unwrap_or(1),
             smallest_shininess: shininess().min().unwrap_or(1),
@@ -196,6 +200,11 @@ impl Needs {
     pub fn has_places(&self) -> bool {
         self.local_eye || !self.local_lights.is_empty()
     }
+}
+
+fn attenuated_lights(frame: &Frame) -> Vec<usize> {
+    let lights = frame.local_lights.iter().enumerate();
+    lights.filter_map(|(index, light)| light.attenuation.map(|_| index)).collect()
 }
 
 /// By how much cosines of equal unit vectors may be below 1.

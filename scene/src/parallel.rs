@@ -19,10 +19,11 @@ impl ParallelSpan {
     /// [`EYE`], so everything is rotated until the middle sees it there, which preserves the angles
     /// between vectors.
     ///
+    /// What distance leaves of a light is not part of it ([`Frame::attenuation_along`]).
+    ///
     /// A light at the very middle is dark; an eye there sees no highlight (extremes row 39).
     pub fn new(frame: &Frame, span: &Span) -> ParallelSpan {
-        let middle = std::array::from_fn(|v| f64::midpoint(span.start[v], span.end[v]));
-        ParallelSpan::seen_from(frame, span, middle)
+        ParallelSpan::seen_from(frame, span, span.middle())
     }
 
     /// The same, lit and seen from the point at barycentric `weights`.

@@ -131,7 +131,10 @@ fn facts(report: &Report) -> Vec<[String; 2]> {
         ("one normal over each triangle", yes_or_no(needs.flat)),
         ("consistent normals would differ", yes_or_no(needs.consistent_normals_differ)),
     ];
-    let rows = rows.into_iter().chain(wraps);
+    let weaker = (!needs.attenuated_lights.is_empty()).then(|| {
+        ("lights that become weaker with distance", needs.attenuated_lights.len().to_string())
+    });
+    let rows = rows.into_iter().chain(weaker).chain(wraps);
     rows.map(|(name, value)| [name.to_owned(), value]).collect()
 }
 

@@ -27,6 +27,11 @@ impl LitPoint {
         }
     }
 
+    /// What distance leaves of light number `index` here; 1 of one that does not become weaker.
+    pub fn attenuation(&self, index: usize) -> f64 {
+        self.lights[index].map_or(1.0, |light| light.attenuation)
+    }
+
     /// Lambert's max(N·L, 0) of light number `index`, times the light's share.
     pub fn diffuse(&self, index: usize) -> f64 {
         self.lights[index]

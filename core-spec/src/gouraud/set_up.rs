@@ -39,9 +39,11 @@ impl MethodSetUp for GouraudSetUp<'_> {
     fn light_inputs(&self, span: &Span, points: &Points, index: usize) -> GouraudLight<i64> {
         let highlight = self.gouraud.vertex_highlight(self.frame.material(span).shininess);
         GouraudLight {
-            diffuse_intensity: self.intensity(span, points, |point| point.diffuse(index)),
-            specular_intensity: self
-                .intensity(span, points, |point| point.highlight(index, highlight)),
+            diffuse_intensity: self
+                .intensity(span, points, |point| point.attenuation(index) * point.diffuse(index)),
+            specular_intensity: self.intensity(span, points, |point| {
+                point.attenuation(index) * point.highlight(index, highlight)
+            }),
         }
     }
 }

@@ -37,6 +37,7 @@ pub(super) const PREMISES: [Premise; 11] = [
         relax: |needs| {
             let at_infinity = needs.lights - needs.local_lights.len();
             needs.local_lights.splice(0..0, vec![LocalKind::Point; at_infinity]);
+            needs.attenuated_lights.iter_mut().for_each(|light| *light += at_infinity);
         },
         known: |needs| {
             format!(

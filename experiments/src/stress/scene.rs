@@ -14,6 +14,13 @@ pub enum Light {
     Towards(DVec3),
     /// A light at a place.
     At(DVec3),
+    /// A light at a place of which the square of distance leaves min(1, 1/(q d²)).
+    Weaker {
+        /// The place of the light.
+        position: DVec3,
+        /// q, above 0.
+        quadratic: f64,
+    },
     /// A light at a place, aimed at another, with Warn's exponent.
     Spot {
         /// The place of the light.
@@ -155,6 +162,10 @@ impl Light {
             Light::At(position) => {
                 format!("\n[[light]]\nkind = \"point\"\nposition = {}\n", vector(position))
             }
+            Light::Weaker { position, quadratic } => format!(
+                "{}attenuation = {{ quadratic = {quadratic:?} }}\n",
+                Light::At(position).text()
+            ),
             Light::Spot { position, target, exponent } => format!(
                 "\n[[light]]\nkind = \"spot\"\nposition = {}\ntarget = {}\nexponent = {exponent}\n",
                 vector(position),

@@ -1,4 +1,5 @@
 //! What a host has for a span of a frame, by the names that host code has for it.
+use specula_scene::Attenuation;
 use specula_scene::frame::{Frame, Span};
 use specula_spec::gouraud::LitPoint;
 use specula_spec::{CoreSpec, MethodSpec};
@@ -80,10 +81,7 @@ fn of_span(spec: &CoreSpec, frame: &Frame, span: &Span, name: &str) -> Option<Ve
         "right_weights" => vector(frame.scan_line(span).edges[1]),
         "first_share" => Some(vec![frame.scan_line(span).shares[0]]),
         "last_share" => Some(vec![frame.scan_line(span).shares[1]]),
-        "middle" => {
-            let weights = std::array::from_fn(|v| f64::midpoint(span.start[v], span.end[v]));
-            vector(frame.position_at(span, weights).to_array())
-        }
+        "middle" => vector(frame.position_at(span, span.middle()).to_array()),
         _ => None,
     }
 }
@@ -98,15 +96,19 @@ fn light_value(
     match name {
         "direction" => return Some(frame.lights.get(index)?.direction.to_array().to_vec()),
         "colour" => return Some(frame.light_colours().nth(index)?.to_vec()),
-        "place" | "axis" | "exponent" => return place_value(frame, index, name),
+        "place" | "axis" | "exponent" | "constant" | "linear" | "quadratic" => {
+            return place_value(frame, index, name);
+        }
         _ => {}
     }
     let (place, what) = name.split_once('_')?;
     let of = |point: &LitPoint| match (what, &spec.method) {
-        ("diffuse" | "intensity", _) => Some(point.diffuse(index)),
+        ("intensity", _) => Some(point.diffuse(index)),
+        ("diffuse", _) => Some(point.attenuation(index) * point.diffuse(index)),
         ("specular", MethodSpec::Gouraud(gouraud)) => {
             let n = frame.material(span).shininess;
-            Some(point.highlight(index, gouraud.vertex_highlight(n)))
+            let highlight = point.highlight(index, gouraud.vertex_highlight(n));
+            Some(point.attenuation(index) * highlight)
         }
         _ => None,
     };
@@ -127,9 +129,14 @@ fn light_value(
 fn place_value(frame: &Frame, index: usize, name: &str) -> Option<Vec<f64>> {
     let light = frame.local_lights.get(index.checked_sub(frame.lights.len())?)?;
     let spot = light.spot.as_ref();
+    let whole = Attenuation { constant: 1.0, linear: 0.0, quadratic: 0.0 };
+    let attenuation = light.attenuation.unwrap_or(whole);
     Some(match name {
         "place" => light.position.to_array().to_vec(),
         "axis" => spot?.axis.to_array().to_vec(),
+        "constant" => vec![attenuation.constant],
+        "linear" => vec![attenuation.linear],
+        "quadratic" => vec![attenuation.quadratic],
         _ => vec![spot?.exponent.into()],
     })
 }

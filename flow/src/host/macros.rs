@@ -8,6 +8,7 @@
 /// - `linear NAME = m, k, u`: (m + k i).u;
 /// - `squared NAME = m, k`: the squared length of m + k i;
 /// - `product NAME = m, k, x, y`: (m + k i).(x + y i);
+/// - `through NAME = FIRST, HALF, LAST`: these at the first pixel, half-way and at the last;
 /// - `reflected NAME = m, k, n, l`: 2(x.n)(x.l) - (n.l)(x.x) with x = m + k i.
 pub fn expanded(word: &str, name: &str, arguments: &str) -> Option<String> {
     let mut arguments = arguments.split(", ");
@@ -16,6 +17,7 @@ pub fn expanded(word: &str, name: &str, arguments: &str) -> Option<String> {
         "linear" => (LINEAR, &["M", "K", "U"]),
         "squared" => (SQUARED, &["M", "K"]),
         "product" => (PRODUCT, &["M", "K", "X", "Y"]),
+        "through" => (THROUGH, &["FIRST", "HALF", "LAST"]),
         "reflected" => (REFLECTED, &["M", "K", "N", "L"]),
         _ => return None,
     };
@@ -53,6 +55,15 @@ const PRODUCT: &str = "\
 real {NAME}_start = @dot({M}, {X})
 real {NAME}_b = @dot({M}, {Y}) + @dot({K}, {X})
 real {NAME}_a = @dot({K}, {Y})
+real {NAME}_first_difference = @from(1, steps, {NAME}_a + {NAME}_b)
+real {NAME}_second_difference = @from(2, steps, 2 * {NAME}_a)
+";
+
+const THROUGH: &str = "\
+real {NAME}_start = {FIRST}
+real {NAME}_bend = 2 * ({FIRST} - 2 * {HALF} + {LAST})
+real {NAME}_b = @per_step({LAST} - {FIRST} - {NAME}_bend, steps)
+real {NAME}_a = @per_step(@per_step({NAME}_bend, steps), steps)
 real {NAME}_first_difference = @from(1, steps, {NAME}_a + {NAME}_b)
 real {NAME}_second_difference = @from(2, steps, 2 * {NAME}_a)
 ";

@@ -39,6 +39,9 @@ pub fn program(spec: &CoreSpec) -> Program {
         if follows_ways {
             whole.push_str(&values.fill(include_str!("templates/methods/light_way.txt")));
         }
+        if parameters.attenuation_of(index).is_some() {
+            whole.push_str(&values.fill(include_str!("templates/methods/attenuation.txt")));
+        }
         whole.push_str(&values.fill(of_light));
     }
     // They are the program's own texts, and tests read all of them.

@@ -1,6 +1,7 @@
 //! From amounts of light to an 8-bit code.
 use specula_spec::{CoreParameters, Format};
 
+use super::method::Intensities;
 use super::number::{Wide, round_to};
 use super::observer::Observer;
 
@@ -38,8 +39,13 @@ impl Colour {
 
 /// Format of the sum: 2·lights + 1 ≤ 9 terms, of coefficient times amount < 2, need 5 integer bits
 /// above the coefficient's.
-pub(super) fn sum_format(core: &CoreParameters, diffuse: Format, specular: Format) -> Format {
-    let fraction_bits =
-        core.coefficient.fraction_bits + diffuse.fraction_bits.max(specular.fraction_bits);
+pub(super) fn sum_format(
+    core: &CoreParameters,
+    amounts: impl Iterator<Item = Intensities<Format>>,
+) -> Format {
+    let finest = |Intensities { diffuse, specular }: Intensities<Format>| {
+        diffuse.fraction_bits.max(specular.fraction_bits)
+    };
+    let fraction_bits = core.coefficient.fraction_bits + amounts.map(finest).max().unwrap_or(0);
     Format::unsigned(core.coefficient.integer_bits + 5, fraction_bits)
 }

@@ -1,6 +1,7 @@
 //! What a core must compute, bit for bit, written from `docs/arithmetic.md` and the spec.
 //!
 //! Numbers are exact between narrowing points (`number`), which round to nearest with ties up.
+mod attenuation;
 mod colour;
 mod consistent;
 mod direct;

@@ -112,6 +112,8 @@ impl Model {
     /// | t, u, q, s of `direct` | `weight`, `product`, `length_squared`, `reciprocal` |
     /// | d, w, K' of `direct` | `length`, `reciprocal_square`, `n_dot_v_over_square` |
     /// | p_V, p_L | `n_dot_v_linear`, `light<l>_n_dot_l_linear` |
+    /// | A_acc, A | `light<l>_attenuation_accumulator`, `light<l>_attenuation` |
+    /// | d A, s A | `light<l>_attenuated_diffuse`, `light<l>_attenuated_specular` |
     /// | c, code | `colour_r`, `code_r`, and `_g`, `_b` |
     ///
     /// # Errors

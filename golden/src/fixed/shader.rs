@@ -1,6 +1,9 @@
 //! A method with the inputs of one core: what all methods do alike.
-use specula_spec::{CoreInputs, CoreParameters, Format, InputGroup, InputPort, SpanPacket};
+use specula_spec::{
+    CoreInputs, CoreParameters, Format, InputGroup, InputPort, LightInputs, Quadratic, SpanPacket,
+};
 
+use super::attenuation::Attenuation;
 use super::colour::{Colour, sum_format};
 use super::error::PacketError;
 use super::method::{Inputs, Intensities, Method};
@@ -31,6 +34,8 @@ pub(super) trait ShadeSpan: Send + Sync {
 pub(super) struct Shader<M, S, L> {
     method: M,
     ports: CoreInputs<S, L, InputPort>,
+    /// What distance leaves of lights, where it takes any.
+    attenuation: Option<Attenuation>,
     /// Format of the sum of all light.
     colour: Format,
 }
@@ -47,8 +52,10 @@ where
         core: &CoreParameters,
         ports: CoreInputs<S, L, InputPort>,
     ) -> Box<dyn ShadeSpan> {
-        let Intensities { diffuse, specular } = method.formats();
-        Box::new(Shader { method, ports, colour: sum_format(core, diffuse, specular) })
+        let attenuation = Attenuation::new(core);
+        let formats = [Some(method.formats()), attenuation.as_ref().map(Attenuation::formats)];
+        let colour = sum_format(core, formats.into_iter().flatten());
+        Box::new(Shader { method, ports, attenuation, colour })
     }
 
     /// Names a packet's inputs, and checks them. The packet has one for each port.
@@ -59,7 +66,20 @@ where
             from_raw(*raw, port.format)
         });
         self.method.check(&inputs, extent)?;
+        for (index, light) in inputs.lights.iter().enumerate() {
+            if let Some((attenuation, along)) = self.attenuation(light) {
+                attenuation.check(index, along, extent)?;
+            }
+        }
         Ok(inputs)
+    }
+
+    /// What distance leaves of a light, where it takes any.
+    fn attenuation<'a>(
+        &'a self,
+        light: &'a LightInputs<M::Light, Wide>,
+    ) -> Option<(&'a Attenuation, &'a Quadratic<Wide>)> {
+        self.attenuation.as_ref().zip(light.attenuation.as_ref())
     }
 
     /// The code of pixel `i`, where `state` is what the pixel before has left; it is then what this
@@ -77,8 +97,11 @@ where
         let mut colour = Colour::ambient(inputs.ambient);
         for (index, light) in inputs.lights.iter().enumerate() {
             let mut observer = OfLight { observer, index };
-            let Intensities { diffuse, specular } =
-                self.method.light(&pixel, &light.light, &mut observer);
+            let shaded = self.method.light(&pixel, &light.light, &mut observer);
+            let Intensities { diffuse, specular } = match self.attenuation(light) {
+                Some((attenuation, along)) => attenuation.of(along, i, shaded, &mut observer),
+                None => shaded,
+            };
             colour.add(&light.diffuse, diffuse);
             colour.add(&light.specular, specular);
         }

@@ -2,6 +2,7 @@
 //! hardware [`docs/arithmetic.md`, Packets].
 use std::fmt;
 
+use specula_spec::attenuation::OVERSHOOT;
 use specula_spec::{Format, Linear, Quadratic};
 
 use super::error::PacketError;
@@ -73,11 +74,35 @@ impl SpanExtent {
         format: Format,
         limits: (i32, i32),
     ) -> Result<(), PacketError> {
+        let limits = Limits::around(limits, self.slack_of_quadratics(format));
+        self.quadratic_within(name, quadratic, limits)
+    }
+
+    /// The same of a quadratic through values from 0 to 1 at both ends and half-way, which goes an
+    /// eighth beyond them.
+    pub fn share(
+        self,
+        name: fmt::Arguments<'_>,
+        quadratic: &Quadratic<Wide>,
+        format: Format,
+    ) -> Result<(), PacketError> {
+        let beyond = Wide::from_num(OVERSHOOT) + self.slack_of_quadratics(format);
+        self.quadratic_within(name, quadratic, Limits::around((0, 1), beyond))
+    }
+
+    fn slack_of_quadratics(self, format: Format) -> Wide {
         let steps = u64::from(self.longest - 1);
-        let slack =
-            half_units(1 + steps + steps * steps.saturating_sub(1) / 2, format) + HOST_ERROR;
+        half_units(1 + steps + steps * steps.saturating_sub(1) / 2, format) + HOST_ERROR
+    }
+
+    fn quadratic_within(
+        self,
+        name: fmt::Arguments<'_>,
+        quadratic: &Quadratic<Wide>,
+        limits: Limits,
+    ) -> Result<(), PacketError> {
         let pixels = self.ends().into_iter().chain(self.turning_points(quadratic));
-        self.check(name, Limits::around(limits, slack), pixels, |i| quadratic_at(quadratic, i))
+        self.check(name, limits, pixels, |i| quadratic_at(quadratic, i))
     }
 
     /// The weight i/S, from 0 to 1 and a unit of the last place for each step: 1/S was rounded into

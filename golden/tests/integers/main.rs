@@ -9,7 +9,7 @@ use specula_fixtures::frames::material;
 use specula_fixtures::highlights::{Choices, SpanRange, draw_frame};
 use specula_fixtures::specs::packet;
 use specula_golden::fixed::{Model, PacketError};
-use specula_scene::{Frame, LocalLight, Needs, Spot};
+use specula_scene::{Attenuation, Frame, LocalLight, Needs, Spot};
 use specula_spec::ways::Places;
 use specula_spec::{CoreSpec, Method, MethodSpec, SpanPacket};
 
@@ -35,9 +35,9 @@ fn codes_agree(core: &CoreSpec, packet: &SpanPacket) -> Result<(), TestCaseError
     let mut codes = Vec::new();
     Model::new(core).shade(packet, &mut codes).map_err(|e| TestCaseError::fail(e.to_string()))?;
     prop_assert_eq!(codes.len(), packet.length as usize);
-    let raw = Raw::new(core, packet);
     // A few dozen pixels of a long span are enough.
     for i in (0..packet.length).step_by(1 + packet.length as usize / 50) {
+        let raw = Raw::new(core, packet, i);
         let expected = match &core.method {
             MethodSpec::Lyon(spec) => lyon::code(spec, &raw, core.parameters.lights, i),
             MethodSpec::Phong(spec) => phong::code(spec, &raw, core.parameters.lights, i),
@@ -172,11 +172,22 @@ fn frame_with_places(draw: &Choices, n: u32) -> Frame {
     frame.triangles[0].positions = [DVec3::ZERO, DVec3::X, DVec3::Y];
     let place = |k: usize| DVec3::new(draw[k], draw[k + 1], draw[k + 2] - 0.5);
     let spot = Spot { axis: -place(3).normalize_or(DVec3::Z), exponent: 1 + (n % 300) };
+    let attenuation = Attenuation { constant: draw[4], linear: draw[5], quadratic: 3.0 * draw[6] };
     frame.lights.truncate(1);
     frame.local_lights = vec![
-        LocalLight { position: place(0), spot: None, colour: [1.0; 3] },
-        LocalLight { position: place(3), spot: Some(spot), colour: [0.5, 1.0, 2.0] },
-        LocalLight { position: DVec3::ZERO, spot: None, colour: [1.0; 3] },
+        LocalLight { position: place(0), spot: None, attenuation: None, colour: [1.0; 3] },
+        LocalLight {
+            position: place(3),
+            spot: Some(spot),
+            attenuation: Some(attenuation),
+            colour: [0.5, 1.0, 2.0],
+        },
+        LocalLight {
+            position: DVec3::ZERO,
+            spot: None,
+            attenuation: (draw[2] < 0.5).then_some(attenuation),
+            colour: [1.0; 3],
+        },
     ];
     frame.eye = (draw[11] < 0.7).then(|| place(6));
     frame

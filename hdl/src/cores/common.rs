@@ -2,6 +2,7 @@
 //! makes a pixel of what they give.
 use specula_spec::{Components, CoreInputs, CoreParameters, Format, InputGroup, LightInputs};
 
+use super::attenuation::{self, Attenuation};
 use crate::units::{self, Light};
 use specula_datapath::bound::Interval;
 use specula_datapath::builder::{BuildError, Builder, Sig, TimeSlots, Vector};
@@ -47,13 +48,13 @@ pub(super) struct Intensities {
 /// are alike: they have the same inputs.
 pub(super) fn pipelines<L>(
     slots: &TimeSlots,
-    lights: &[LightInputs<L, Sig>],
+    lights: Vec<LightInputs<L, Sig>>,
 ) -> Vec<LightInputs<L, Sig>>
 where
     L: InputGroup<Value = Sig, Mapped<Sig> = L>,
 {
     if slots.count() == 1 {
-        return lights.iter().map(|light| light.map_each(&mut Sig::clone)).collect();
+        return lights;
     }
     let inputs = |light: &LightInputs<L, Sig>| {
         let mut inputs = Vec::new();
@@ -75,6 +76,7 @@ where
 /// core's outputs.
 pub(super) fn finish<S, L>(
     b: &Builder,
+    parameters: &CoreParameters,
     slots: &TimeSlots,
     inputs: &CoreInputs<S, L, Sig>,
     shade: impl Fn(usize, &L) -> Intensities,
@@ -82,12 +84,13 @@ pub(super) fn finish<S, L>(
 where
     L: InputGroup<Value = Sig, Mapped<Sig> = L>,
 {
-    b.clone().graph(&slots.valid_in_last_slot, &codes(b, slots, inputs, shade))
+    b.clone().graph(&slots.valid_in_last_slot, &codes(b, parameters, slots, inputs, shade))
 }
 
 /// Those codes, named as the core's first outputs are.
 pub(super) fn codes<S, L>(
     b: &Builder,
+    parameters: &CoreParameters,
     slots: &TimeSlots,
     inputs: &CoreInputs<S, L, Sig>,
     shade: impl Fn(usize, &L) -> Intensities,
@@ -95,9 +98,14 @@ pub(super) fn codes<S, L>(
 where
     L: InputGroup<Value = Sig, Mapped<Sig> = L>,
 {
-    let lights = pipelines(slots, &inputs.lights);
+    let lights = pipelines(slots, attenuation::alike(b, slots, inputs));
+    let attenuation = Attenuation::new(b, parameters, slots);
     let shaded = |(index, inputs): (usize, &LightInputs<L, Sig>)| {
-        let Intensities { diffuse, specular } = shade(index, &inputs.light);
+        let shaded = shade(index, &inputs.light);
+        let Intensities { diffuse, specular } = match &attenuation {
+            Some(attenuation) => attenuation.of(index, inputs.attenuation.as_ref(), shaded),
+            None => shaded,
+        };
         Light {
             diffuse,
             specular,

@@ -83,7 +83,7 @@ pub(super) fn core(
         r: r.as_ref().filter(|_| consistent.highlight == Highlight::Reflection),
     };
     let exponent = &inputs.span.exponent;
-    let codes = codes(&b, &slots, &inputs, |i, light| pixel.shade(i, light, exponent));
+    let codes = codes(&b, parameters, &slots, &inputs, |i, light| pixel.shade(i, light, exponent));
     let directions = r.iter().flat_map(|r| directions(&b, consistent.directions, (r, &view.0), to));
     let directions: Vec<(String, Sig)> = directions.collect();
     let named = directions.iter().map(|(name, component)| (name.as_str(), component.clone()));

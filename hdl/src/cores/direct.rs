@@ -67,7 +67,7 @@ pub(super) fn core(
         length: &length,
         exponent: &inputs.span.exponent,
     };
-    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light))
+    finish(&b, parameters, &slots, &inputs, |i, light| pixel.shade(i, light))
 }
 
 /// What a pixel's length is made of.

@@ -44,7 +44,7 @@ pub(super) fn core(
         view_cosine: view_cosine.as_ref(),
         exponent,
     };
-    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light))
+    finish(&b, parameters, &slots, &inputs, |i, light| pixel.shade(i, light))
 }
 
 /// What the lights have in common.

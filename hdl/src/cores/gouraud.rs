@@ -37,5 +37,5 @@ pub(super) fn core(
         diffuse: intensity(&light.diffuse_intensity, format!("light{i}_diffuse")),
         specular: intensity(&light.specular_intensity, format!("light{i}_specular")),
     };
-    finish(&b, &slots, &inputs, shade)
+    finish(&b, parameters, &slots, &inputs, shade)
 }

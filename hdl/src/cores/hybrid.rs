@@ -35,7 +35,7 @@ pub(super) fn core(
     let exponent = &inputs.span.exponent;
     let pixel =
         Pixel { ways: &ways, hybrid, view: view.as_ref(), eye: eye.as_ref(), q: &q, exponent };
-    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light))
+    finish(&b, parameters, &slots, &inputs, |i, light| pixel.shade(i, light))
 }
 
 /// What the lights have in common.

@@ -47,7 +47,7 @@ pub(super) fn core(
         shininess: &inputs.span.shininess,
         apart,
     };
-    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light))
+    finish(&b, parameters, &slots, &inputs, |i, light| pixel.shade(i, light))
 }
 
 /// n at each pixel, and whether it has a direction.

@@ -1,5 +1,6 @@
 //! Cores: units put together so that a span goes in and pixels come out, one in each clock or,
 //! where lights share a pipeline, in as many as there are lights.
+mod attenuation;
 mod common;
 mod consistent;
 mod direct;
@@ -10,6 +11,7 @@ mod hybrid;
 mod lyon;
 mod phong;
 mod reflection;
+mod share;
 mod slerp;
 mod spot;
 mod vector_ways;

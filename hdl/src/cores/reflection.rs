@@ -91,7 +91,7 @@ pub(super) fn core(
         squared_normal(squared, parameters)
     };
     pixel.normal_squared = inputs.span.normal_squared.as_ref().map(normal_squared);
-    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light))
+    finish(&b, parameters, &slots, &inputs, |i, light| pixel.shade(i, light))
 }
 
 /// What the lights have in common.

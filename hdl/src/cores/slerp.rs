@@ -72,7 +72,7 @@ pub(super) fn core(
         exponent: &inputs.span.exponent,
         base,
     };
-    finish(&b, &slots, &inputs, |i, light| pixel.shade(i, light))
+    finish(&b, parameters, &slots, &inputs, |i, light| pixel.shade(i, light))
 }
 
 /// The weights of what stands at the start and of what goes with it.

@@ -1,43 +1,13 @@
 //! What spots leave of their light, where ways to places are followed.
 use specula_spec::{CoreParameters, LightInputs};
 
-use super::common::Intensities;
+use super::share;
 use specula_datapath::builder::{Builder, Sig, TimeSlots};
-
-/// The share of a pipeline's light.
-pub(super) struct Share {
-    /// Whether that is a spot.
-    pub is_spot: Sig,
-    /// The share of it, if it is.
-    pub share: Sig,
-}
-
-impl Share {
-    /// What a spot leaves of an amount of light, rounded to `fraction_bits`.
-    ///
-    /// The amount itself may have fewer than its format, where what it is made of has.
-    pub fn of(&self, amount: &Sig, fraction_bits: u32) -> Sig {
-        self.is_spot.choose(&(amount * &self.share).rounded(fraction_bits), amount)
-    }
-
-    /// The same of diffuse and specular light, rounded to `fraction_bits`.
-    pub fn spotted(
-        &self,
-        Intensities { diffuse, specular }: Intensities,
-        fraction_bits: [u32; 2],
-    ) -> Intensities {
-        Intensities {
-            diffuse: self.of(&diffuse, fraction_bits[0]),
-            specular: self.of(&specular, fraction_bits[1]),
-        }
-    }
-}
 
 /// Whether the light of each pipeline is a spot.
 pub(super) fn spots(b: &Builder, parameters: &CoreParameters, slots: &TimeSlots) -> Vec<Sig> {
-    let is_spot = |index| i64::from(parameters.spot_exponent(index).is_some());
-    let spots: Vec<Sig> = (0..parameters.lights).map(|index| b.integer(is_spot(index))).collect();
-    if slots.count() == 1 { spots } else { vec![slots.multiplexed(&spots)] }
+    let is_spot = |index| parameters.spot_exponent(index).is_some();
+    share::applies(b, slots, (0..parameters.lights).map(is_spot))
 }
 
 /// Gives lights that share a pipeline the inputs of spots if one of them is a spot, what `none`

@@ -4,7 +4,8 @@ use specula_spec::{CoreParameters, Format, LightInputs};
 
 use super::common::{Intensities, unit_vector};
 use super::forward::Forward;
-use super::spot::{self, Share};
+use super::share::Share;
+use super::spot;
 use super::ways::SHORTEST_WAY;
 use crate::units;
 use specula_datapath::builder::{Builder, Sig, TimeSlots, Vector};
@@ -70,7 +71,7 @@ impl<'a> VectorWays<'a> {
         let share = b.instance(&called("spot"), || {
             units::any_power_up_to(b, &cosine, exponent, largest, bits)
         });
-        Share { is_spot: self.spots[index].clone(), share }.spotted(intensities, fraction_bits)
+        Share { applies: self.spots[index].clone(), share }.of_both(intensities, fraction_bits)
     }
 }
 

@@ -4,7 +4,8 @@ use specula_spec::{CoreParameters, LightInputs, Linear, Quadratic};
 
 use super::common::Intensities;
 use super::forward::Forward;
-use super::spot::{self, Share};
+use super::share::Share;
+use super::spot;
 use crate::units::{self, Length, ReciprocalRoot};
 use specula_datapath::bound::Interval;
 use specula_datapath::builder::{Builder, Sig, TimeSlots};
@@ -138,7 +139,7 @@ impl<'a> Ways<'a> {
         let share = b.instance(&called("spot"), || {
             units::any_power_up_to(b, &cosine, &spot.exponent, largest, bits)
         });
-        Share { is_spot: self.spots[index].clone(), share }
+        Share { applies: self.spots[index].clone(), share }
     }
 
     /// H·n = (n·L + n·V)/|L + V|, kept within 0 to 1; 0 where one of them has no direction.
@@ -179,7 +180,7 @@ impl Arrival {
     /// What a spot leaves of diffuse and specular light, rounded to `fraction_bits`.
     pub fn spotted(&self, intensities: Intensities, fraction_bits: [u32; 2]) -> Intensities {
         match &self.share {
-            Some(share) => share.spotted(intensities, fraction_bits),
+            Some(share) => share.of_both(intensities, fraction_bits),
             None => intensities,
         }
     }

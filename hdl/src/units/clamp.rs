@@ -16,6 +16,16 @@ pub fn clamp_nonnegative(b: &Builder, cosine: &Sig, fraction_bits: u32) -> Sig {
     })
 }
 
+/// min(max(A, 0), 1), rounded to `fraction_bits`, of what distance leaves of a light. [Hast et al., §1]
+pub fn clamp_share(b: &Builder, share: &Sig, fraction_bits: u32) -> Sig {
+    b.unit(
+        "share",
+        "A kept within 0 to 1 [Hast et al., section 1]",
+        (("share", share),),
+        |_, (a,)| to_unit_interval(&a, fraction_bits).named("arriving"),
+    )
+}
+
 /// The value, rounded and kept within 0 to 1.
 pub(super) fn to_unit_interval(value: &Sig, fraction_bits: u32) -> Sig {
     to_nonnegative(value, fraction_bits).clamped_above(1)

@@ -29,7 +29,7 @@ mod vector;
 mod wrapped;
 
 pub use crate::error::length_error::LengthError;
-pub use clamp::{clamp_nonnegative, clamp_unit};
+pub use clamp::{clamp_nonnegative, clamp_share, clamp_unit};
 pub use colour::{Coefficients, Light, channels};
 pub use consistent_reflection::{ConsistentCosine, consistent_cosine, consistent_reflection};
 pub use contraction::{SpanAngles, contraction};

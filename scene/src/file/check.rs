@@ -47,6 +47,21 @@ pub(super) fn number(
     within(source, name, given.span(), [given.get_ref().0; 3]).map(|[number, ..]| number)
 }
 
+/// Such a number that is 0 or more.
+pub(super) fn nonnegative(
+    source: &SourceFile,
+    name: &str,
+    given: &Spanned<Number>,
+) -> Result<f64, SceneError> {
+    match number(source, name, given)? {
+        number if number >= 0.0 => Ok(number),
+        number => {
+            let help = format!("`{name}` is 0 or more");
+            Err(source.error(given.span(), format!("`{name}` = {number:?} is below 0"), help))
+        }
+    }
+}
+
 /// A vector of such numbers.
 pub(super) fn vector(
     source: &SourceFile,

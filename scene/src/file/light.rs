@@ -2,9 +2,10 @@
 use glam::DVec3;
 use toml::Spanned;
 
-use super::values::{Integer, Vector};
+use super::values::{Integer, Number, Vector};
 use super::{SourceFile, check, raw};
-use crate::SceneError;
+use crate::attenuation::Attenuation;
+use crate::error::SceneError;
 use crate::limits::LARGEST_SHININESS;
 use crate::picture::{Light, LightSource, LightSpace};
 
@@ -42,6 +43,7 @@ fn source_of(keys: &Keys, kind: Kind) -> Result<LightSource, SceneError> {
                     ("position", span(&raw.position)),
                     ("target", span(&raw.target)),
                     ("exponent", span(&raw.exponent)),
+                    ("attenuation", span(&raw.attenuation)),
                 ],
             )?;
             Ok(LightSource::Directional {
@@ -61,7 +63,7 @@ fn source_of(keys: &Keys, kind: Kind) -> Result<LightSource, SceneError> {
                     ("exponent", span(&raw.exponent)),
                 ],
             )?;
-            Ok(LightSource::Point { position: keys.position()? })
+            Ok(LightSource::Point { position: keys.position()?, attenuation: keys.attenuation()? })
         }
         Kind::Spot => {
             keys.none_of("spot", &[("direction", span(&raw.direction))])?;
@@ -82,6 +84,7 @@ fn source_of(keys: &Keys, kind: Kind) -> Result<LightSource, SceneError> {
                 position,
                 axis,
                 exponent: raw.exponent.as_ref().map_or(Ok(EXPONENT), exponent)?,
+                attenuation: keys.attenuation()?,
             })
         }
     }
@@ -100,6 +103,31 @@ impl Keys<'_> {
             "position",
             self.needed("position", &self.given.get_ref().position)?,
         )
+    }
+
+    /// How the light becomes weaker with distance, if it does.
+    fn attenuation(&self) -> Result<Option<Attenuation>, SceneError> {
+        let Some(given) = &self.given.get_ref().attenuation else { return Ok(None) };
+        let raw = given.get_ref();
+        let part = |name: &str, part: &Option<Spanned<Number>>| match part {
+            Some(part) => check::nonnegative(self.source, name, part),
+            None => Ok(0.0),
+        };
+        let attenuation = Attenuation {
+            constant: part("constant", &raw.constant)?,
+            linear: part("linear", &raw.linear)?,
+            quadratic: part("quadratic", &raw.quadratic)?,
+        };
+        let Attenuation { constant, linear, quadratic } = attenuation;
+        if constant + linear + quadratic > 0.0 {
+            return Ok(Some(attenuation));
+        }
+        Err(self.source.error(
+            given.span(),
+            "`attenuation` is 0 and would divide by nothing",
+            "give `constant`, `linear` or `quadratic`, as in { constant = 1, quadratic = 0.1 }; \
+             without `attenuation` the light does not become weaker",
+        ))
     }
 
     fn needed<'a>(

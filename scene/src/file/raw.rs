@@ -40,8 +40,17 @@ pub(super) struct Light {
     pub position: Option<Spanned<Vector>>,
     pub target: Option<Spanned<Vector>>,
     pub exponent: Option<Spanned<Integer>>,
+    pub attenuation: Option<Spanned<Attenuation>>,
     pub space: Option<Spanned<String>>,
     pub colour: Option<Spanned<Triple>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Attenuation {
+    pub constant: Option<Spanned<Number>>,
+    pub linear: Option<Spanned<Number>>,
+    pub quadratic: Option<Spanned<Number>>,
 }
 
 #[derive(Deserialize)]

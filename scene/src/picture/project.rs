@@ -219,14 +219,20 @@ impl Light {
     }
 
     pub(super) fn at_a_place(&self, view: ViewTransform) -> Option<LocalLight> {
-        let (position, spot) = match self.source {
+        let (position, spot, attenuation) = match self.source {
             LightSource::Directional { .. } => return None,
-            LightSource::Point { position } => (position, None),
-            LightSource::Spot { position, axis, exponent } => {
-                (position, Some(Spot { axis: view.direction(self.space, axis), exponent }))
+            LightSource::Point { position, attenuation } => (position, None, attenuation),
+            LightSource::Spot { position, axis, exponent, attenuation } => {
+                let spot = Spot { axis: view.direction(self.space, axis), exponent };
+                (position, Some(spot), attenuation)
             }
         };
-        Some(LocalLight { position: view.place(self.space, position), spot, colour: self.colour })
+        Some(LocalLight {
+            position: view.place(self.space, position),
+            spot,
+            attenuation,
+            colour: self.colour,
+        })
     }
 }
 

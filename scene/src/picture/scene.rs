@@ -4,7 +4,7 @@ use glam::{DAffine3, DVec3};
 use super::camera::Camera;
 use crate::mesh::Mesh;
 use crate::primitive::Primitive;
-use crate::{Colour, Material};
+use crate::{Attenuation, Colour, Material};
 
 /// A mesh at a place in the world.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,6 +52,8 @@ pub enum LightSource {
     Point {
         /// The place.
         position: DVec3,
+        /// How it becomes weaker with distance, if it does.
+        attenuation: Option<Attenuation>,
     },
     /// The light is at a place and shines most strongly along its axis.
     Spot {
@@ -61,6 +63,8 @@ pub enum LightSource {
         axis: DVec3,
         /// Warn's exponent, 1 to 8191.
         exponent: u32,
+        /// How it becomes weaker with distance, if it does.
+        attenuation: Option<Attenuation>,
     },
 }
 

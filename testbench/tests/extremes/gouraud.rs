@@ -55,8 +55,12 @@ fn floor(exponent: u32, height: f64, eye: Option<DVec3>) -> Frame {
     triangle.positions = [DVec3::ZERO, DVec3::X, DVec3::Y];
     triangle.facet = Facet::of_vertices(&triangle.normals, &triangle.positions);
     let spot = Some(Spot { axis: -DVec3::Z, exponent });
-    frame.local_lights =
-        vec![LocalLight { position: DVec3::new(0.0, 0.0, height), spot, colour: [1.0; 3] }];
+    frame.local_lights = vec![LocalLight {
+        position: DVec3::new(0.0, 0.0, height),
+        spot,
+        attenuation: None,
+        colour: [1.0; 3],
+    }];
     frame.eye = eye;
     frame
 }

@@ -29,7 +29,8 @@ fn wall(light: DVec3, spot: Option<Spot>, eye: Option<DVec3>) -> Frame {
     let mut frame = frame([DVec3::Z, DVec3::Z], 5, &[], material(0.0, 0.5, 0.5, 20));
     frame.triangles[0].positions =
         [DVec3::new(-2.0, 0.0, 0.0), DVec3::new(2.0, 0.0, 0.0), DVec3::new(-2.0, 1.0, 0.0)];
-    frame.local_lights = vec![LocalLight { position: light, spot, colour: [1.0; 3] }];
+    frame.local_lights =
+        vec![LocalLight { position: light, spot, attenuation: None, colour: [1.0; 3] }];
     frame.eye = eye;
     frame
 }

@@ -41,7 +41,9 @@ fn recolour(genome: &mut Genome, draw: &mut Draw) {
 fn turn(light: &mut Light, draw: &mut Draw) {
     match light {
         Light::Towards(direction) => *direction = turned_a_bit(*direction, draw),
-        Light::At(position) => *position = position.length() * turned_a_bit(*position, draw),
+        Light::At(position) | Light::Weaker { position, .. } => {
+            *position = position.length() * turned_a_bit(*position, draw);
+        }
         Light::Spot { position, target, exponent } => match draw.between(0, 2) {
             0 => *target = *position + turned_a_bit(*target - *position, draw),
             1 => *position += random::place(draw) / 10.0,

@@ -60,7 +60,9 @@ impl Model {
         let view = Camera::default();
         let source = match illumination {
             Illumination::Infinity => defaults::light().source,
-            Illumination::Places => LightSource::Point { position: middle + 1.5 * radius * LAMP },
+            Illumination::Places => {
+                LightSource::Point { position: middle + 1.5 * radius * LAMP, attenuation: None }
+            }
         };
         let space = match illumination {
             Illumination::Infinity => LightSpace::View,

@@ -19,8 +19,8 @@ mod wrapped;
 use super::row::CatalogueRow;
 
 /// Every row, in the order of docs/extremes.md; then what breaks first according to
-/// docs/numerics.md, and random spans.
-pub static CATALOGUE: [&CatalogueRow; 62] = [
+/// docs/numerics.md, random spans, and what was added since.
+pub static CATALOGUE: [&CatalogueRow; 63] = [
     &opposite::LERP,
     &opposite::DUFF,
     &opposite::WIDE,
@@ -83,4 +83,5 @@ pub static CATALOGUE: [&CatalogueRow; 62] = [
     &breaks::SHORT_ACCUMULATOR,
     &breaks::WRAPPED_HIGHLIGHT,
     &anything::ANYTHING,
+    &places::WEAKER,
 ];

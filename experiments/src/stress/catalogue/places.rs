@@ -92,6 +92,25 @@ pub const FAR: CatalogueRow = CatalogueRow {
     }),
 };
 
+/// What distance leaves.
+pub const WEAKER: CatalogueRow = CatalogueRow {
+    id: "weaker",
+    input: "a light a quarter to ten units away that becomes weaker by the square of distance",
+    trial: scenes(|_, _| {
+        let at = |distance: f64| {
+            let quadratic = 1.0 / (distance * distance);
+            let light = Light::Weaker { position: distance * tilted(60.0), quadratic };
+            let ends = |pixel: &Pixel| !pixel.is_end() || pixel.is_within(1.0, pixel.exact());
+            Case::new(wall(vec![light], None)).requiring(
+                "true directions: within 1 LSB of exact shading at both ends",
+                is_phongs,
+                ends,
+            )
+        };
+        [0.25, 1.0, 10.0].map(at).into()
+    }),
+};
+
 fn anywhere(draw: &mut Draw, longest: u32) -> SpanScene {
     let place = |draw: &mut Draw| draw.within(0.0, 5.0) * draw.direction();
     let span = |draw: &mut Draw| {

@@ -209,7 +209,10 @@ impl<'a> Limits<'a> {
     /// The method's directions to lights and eye.
     fn directions(&self, i: u32, reasons: &mut Vec<Reason>) -> Directions {
         if self.frame.directions_are_constant() {
-            return Directions::exact(self.frame);
+            return Directions::exact(self.frame, self.span, i);
+        }
+        if self.frame.local_lights.iter().any(|light| light.attenuation.is_some()) {
+            reasons.push(Reason::Attenuation);
         }
         match (&self.spec.method, self.spec.places_seen_from()) {
             (MethodSpec::Phong(phong), _) if phong.places == Places::Wrapped => {
@@ -221,7 +224,9 @@ impl<'a> Limits<'a> {
                 Directions::of_the_middle(self.frame, self.span, i)
             }
             // What Gouraud's vertices see is part of that method's own limits.
-            (_, Viewpoint::Pixel | Viewpoint::Vertex) => Directions::exact(self.frame),
+            (_, Viewpoint::Pixel | Viewpoint::Vertex) => {
+                Directions::exact(self.frame, self.span, i)
+            }
         }
     }
 
@@ -413,7 +418,7 @@ impl<'a> Limits<'a> {
         if let Some(light) = self.frame.lights.get(light) {
             return Some(light.direction);
         }
-        let position = self.frame.position_at(self.span, directions::middle(self.span));
+        let position = self.frame.position_at(self.span, self.span.middle());
         let of_the_middle = self.spec.places_seen_from() == Viewpoint::Span;
         self.frame
             .lights_from(position)

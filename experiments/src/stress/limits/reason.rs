@@ -46,11 +46,13 @@ pub enum Reason {
     Middle,
     /// Wrapped directions to lights and eye.
     WrappedPlaces,
+    /// A quadratic in place of what distance leaves of a light.
+    Attenuation,
 }
 
 impl Reason {
     /// Every reason.
-    pub const ALL: [Reason; 20] = [
+    pub const ALL: [Reason; 21] = [
         Reason::Rounding,
         Reason::ShortFormats,
         Reason::NoBound,
@@ -71,6 +73,7 @@ impl Reason {
         Reason::Newton,
         Reason::Middle,
         Reason::WrappedPlaces,
+        Reason::Attenuation,
     ];
 
     /// The name in tables.
@@ -96,6 +99,7 @@ impl Reason {
             Reason::Newton => "Newton",
             Reason::Middle => "middle",
             Reason::WrappedPlaces => "wrapped places",
+            Reason::Attenuation => "attenuation",
         }
     }
 
@@ -173,6 +177,10 @@ impl Reason {
             Reason::WrappedPlaces => {
                 "as middle, with the δ of wrap and of unit ends: for a light nearer to a span than the span is long next to no limit \
                  (methods C16 to C18; extremes rows 11 and 40)"
+            }
+            Reason::Attenuation => {
+                "(kd + ks) |Q - A|: Q is a quadratic through A = min(1, 1/(c + l d + q d²)) at both ends of the span and half-way \
+                 (decision 0043)"
             }
         }
     }

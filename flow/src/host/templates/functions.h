@@ -81,6 +81,11 @@ static inline struct @vector @where_any(struct @vector any, struct @vector a) {
 static inline struct @vector @over_longest(struct @vector a, @real longest) {
   return longest > 0 ? @over(a, longest) : a;
 }
+=== left_at
+/* What a distance leaves of a light with the attenuation c + l d + q d d. */
+static inline @real @left_at(@real distance, @real c, @real l, @real q) {
+  return 1 / @larger(c + distance * (l + distance * q), 1);
+}
 === reciprocal
 /* 1/steps, 0 for none. */
 static inline @real @reciprocal(@real steps) { return steps > 0 ? 1 / steps : 0; }

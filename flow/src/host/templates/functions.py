@@ -65,6 +65,10 @@ def @where_any(anything, a):
 def @over_longest(a, longest):
     """A vector over a length; 0 stays 0."""
     return np.where(longest > 0, a / longest, a)
+=== left_at
+def @left_at(distance, c, l, q):
+    """What a distance leaves of a light with the attenuation c + l d + q d d."""
+    return 1 / np.maximum(c + distance * (l + distance * q), 1)
 === reciprocal
 def @reciprocal(steps):
     """1/steps, 0 for none."""

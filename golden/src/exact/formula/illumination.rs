@@ -1,16 +1,17 @@
 //! Directions to lights and eye at one point.
 use glam::DVec3;
 use specula_scene::frame::EYE;
-use specula_scene::{Frame, LocalLight, Span};
+use specula_scene::{Attenuation, Frame, LocalLight, Span};
 
 use super::normalisation::unit;
 use super::point_light;
+use super::quadratic::Quadratic;
 
 /// A light as seen from one point.
 pub struct Illumination {
     /// L, a unit vector.
     pub direction: DVec3,
-    /// The share of it that arrives, 0 to 1: Warn's spot factor.
+    /// The share of it that arrives, 0 to 1: Warn's spot factor times what distance leaves.
     pub share: f64,
 }
 
@@ -60,5 +61,22 @@ fn from_a_place(light: &LocalLight, position: DVec3) -> Option<Illumination> {
         .spot
         .as_ref()
         .map_or(1.0, |spot| point_light::spot(-spot.axis, direction, spot.exponent));
-    Some(Illumination { direction, share })
+    Some(Illumination { direction, share: share * attenuation(light, position) })
+}
+
+/// What distance leaves of a light at `position`; 1 where it does not become weaker.
+pub fn attenuation(light: &LocalLight, position: DVec3) -> f64 {
+    light.attenuation.map_or(1.0, |Attenuation { constant, linear, quadratic }| {
+        point_light::attenuation(
+            [constant, linear, quadratic],
+            (light.position - position).length(),
+        )
+    })
+}
+
+/// What distance leaves of a light along a span, t = 0 to 1: a quadratic through what it leaves at both
+/// ends and half-way, which may go beyond 0 to 1.
+pub fn attenuation_along(frame: &Frame, span: &Span, light: &LocalLight) -> Quadratic {
+    let at = |weights| attenuation(light, frame.position_at(span, weights));
+    Quadratic::through([span.start, span.middle(), span.end].map(at))
 }

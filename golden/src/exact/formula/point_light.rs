@@ -16,6 +16,12 @@ pub fn spot(axis: DVec3, light: DVec3, concentration: u32) -> f64 {
     axis.dot(light).max(0.0).powi(concentration.cast_signed())
 }
 
+/// min(1, 1/(c + l d + q d²)), what distance leaves of a light, with c, l and q in this order ["Sometimes
+/// a distance term is used", §1].
+pub fn attenuation([constant, linear, quadratic]: [f64; 3], distance: f64) -> f64 {
+    (1.0 / (constant + linear * distance + quadratic * distance * distance)).min(1.0)
+}
+
 /// F - P at a span's ends, both divided by their mean length: vectors in between then have a length
 /// of about 1, which the wraps below need.
 ///

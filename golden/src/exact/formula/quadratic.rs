@@ -20,6 +20,18 @@ impl Quadratic {
         Quadratic([k.dot(k), 2.0 * k.dot(m), m.dot(m)])
     }
 
+    /// The one that has these values at x = 0, 1/2 and 1.
+    pub fn through([first, half, last]: [f64; 3]) -> Quadratic {
+        let a = 2.0 * first - 4.0 * half + 2.0 * last;
+        Quadratic([a, last - first - a, first])
+    }
+
+    /// The same over x = 0 to `steps` as this one over 0 to 1.
+    pub fn stretched(self, steps: f64) -> Quadratic {
+        let [a, b, c] = self.0;
+        Quadratic([a / (steps * steps), b / steps, c])
+    }
+
     /// `self` + `factor` · `other`.
     pub fn plus(self, factor: f64, other: Quadratic) -> Quadratic {
         Quadratic(std::array::from_fn(|c| self.0[c] + factor * other.0[c]))

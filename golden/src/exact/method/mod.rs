@@ -1,4 +1,5 @@
 //! The methods without rounding, a file each, and the one that a spec selects.
+mod attenuated;
 mod coefficients;
 pub mod consistent;
 mod direct;
@@ -15,6 +16,7 @@ mod slerp;
 use specula_scene::{Frame, ParallelSpan, Span};
 use specula_spec::{CoreSpec, MethodSpec, Viewpoint};
 
+use attenuated::Attenuated;
 use shade_span::ShadeSpan;
 
 pub use consistent::ConsistentSpan;
@@ -33,6 +35,9 @@ pub struct MethodSpan<'a>(Box<dyn ShadeSpan + 'a>);
 impl<'a> MethodSpan<'a> {
     /// Sets up a span of a frame.
     pub fn new(spec: &'a CoreSpec, frame: &'a Frame, span: &'a Span) -> Self {
+        if let Some(attenuated) = Attenuated::new(spec, frame, span) {
+            return MethodSpan(Box::new(attenuated));
+        }
         if spec.places_seen_from() == Viewpoint::Span && !frame.directions_are_constant() {
             return MethodSpan(Box::new(Shaded::from_the_middle(spec, frame, span)));
         }

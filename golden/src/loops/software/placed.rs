@@ -4,7 +4,10 @@ use specula_scene::{Frame, Span};
 
 use super::Software;
 use super::surface::{Surface, clamped};
-use crate::loops::{Line, Number, PlaceDirection, SeenPlace, Vector, Walk, dot, power, vector};
+use crate::exact::formula::illumination::attenuation_along;
+use crate::loops::{
+    Line, Number, PlaceDirection, Second, SeenPlace, Vector, Walk, dot, power, vector,
+};
 
 /// A frame whose spans have recurrences for the normal, the eye and each light.
 pub struct PlacedLoop<'a, P> {
@@ -14,7 +17,14 @@ pub struct PlacedLoop<'a, P> {
     spots: Vec<Option<u32>>,
     spans: Vec<Along<P>>,
     /// Each light along the first span, along the second, and so on.
-    lights: Vec<Towards<P>>,
+    lights: Vec<Lit<P>>,
+}
+
+/// A light along a span.
+struct Lit<P> {
+    towards: Towards<P>,
+    /// What distance leaves of it, if it becomes weaker.
+    attenuation: Option<Second<f32>>,
 }
 
 /// The recurrences of a span, except those of its lights.
@@ -73,12 +83,17 @@ impl<P: PlaceDirection<f32>> Software for PlacedLoop<'_, P> {
                     None => Towards::Infinity(vector(EYE)),
                 },
             });
-            let infinite = frame.lights.iter();
-            self.lights.extend(infinite.map(|light| Towards::Infinity(vector(light.direction))));
-            let local = frame.local_lights.iter();
-            self.lights.extend(
-                local.map(|light| Towards::PlaceDirection(P::to_light(frame, span, light))),
-            );
+            self.lights.extend(frame.lights.iter().map(|light| Lit {
+                towards: Towards::Infinity(vector(light.direction)),
+                attenuation: None,
+            }));
+            self.lights.extend(frame.local_lights.iter().map(|light| Lit {
+                towards: Towards::PlaceDirection(P::to_light(frame, span, light)),
+                attenuation: light.attenuation.map(|_| {
+                    let along = attenuation_along(frame, span, light);
+                    Second::new(along.stretched(f64::from(span.steps().max(1))))
+                }),
+            }));
         }
     }
 
@@ -96,12 +111,15 @@ impl<P: PlaceDirection<f32>> Software for PlacedLoop<'_, P> {
             for ((light, spot), reflected) in
                 lights.iter_mut().zip(&self.spots).zip(&surface.lights)
             {
-                let SeenPlace { direction: l, to_axis, lit } = light.pixel();
-                let share = match spot {
-                    Some(exponent) if lit > 0.0 => power(to_axis.clamp(0.0, 1.0), *exponent),
-                    Some(_) => 0.0,
-                    None => 1.0,
-                };
+                let SeenPlace { direction: l, to_axis, lit } = light.towards.pixel();
+                let arriving =
+                    light.attenuation.as_mut().map_or(1.0, |left| left.pixel().clamp(0.0, 1.0));
+                let share = arriving
+                    * match spot {
+                        Some(exponent) if lit > 0.0 => power(to_axis.clamp(0.0, 1.0), *exponent),
+                        Some(_) => 0.0,
+                        None => 1.0,
+                    };
                 let n_dot_l = dot(n, l);
                 let base = (2.0 * n_dot_l * n_dot_v - dot(l, v)).clamp(0.0, 1.0);
                 let specular = share * power(base, surface.shininess);

@@ -147,8 +147,7 @@ struct MiddleLight {
 
 impl Middle {
     fn of(frame: &Frame, span: &Span) -> Middle {
-        let weights = std::array::from_fn(|k| f64::midpoint(span.start[k], span.end[k]));
-        let position = frame.position_at(span, weights);
+        let position = frame.position_at(span, span.middle());
         let view = view_from(frame, position);
         let line = Line { eye: view.unwrap_or(EYE), ..Line::new(frame, span) };
         Middle { line, position, is_seen: view.is_some() }

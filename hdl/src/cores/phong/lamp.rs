@@ -74,6 +74,10 @@ pub(super) fn alike(b: &Builder, lights: &[Inputs]) -> impl Iterator<Item = Inpu
     };
     lights.iter().map(move |inputs| LightInputs {
         light: filled(&inputs.light),
+        attenuation: inputs
+            .attenuation
+            .as_ref()
+            .map(|attenuation| attenuation.map_each(&mut Sig::clone)),
         diffuse: inputs.diffuse.clone(),
         specular: inputs.specular.clone(),
     })

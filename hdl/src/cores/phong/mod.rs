@@ -94,11 +94,11 @@ impl Pixel<'_> {
             self.shade(&arrival, &normal.exists.and(&direction.exists))
         };
         if slots.count() == 1 {
-            return finish(b, slots, inputs, shade);
+            return finish(b, self.parameters, slots, inputs, shade);
         }
         let ambient = inputs.ambient.clone();
         let inputs = CoreInputs { span: (), ambient, lights: alike(b, &inputs.lights).collect() };
-        finish(b, slots, &inputs, shade)
+        finish(b, self.parameters, slots, &inputs, shade)
     }
 
     fn cosine(&self, name: &str, x: &Direction, y: &Direction) -> Sig {
