@@ -20,7 +20,7 @@ fn design(slots: impl Fn(&Builder, &Control) -> TimeSlots, pipelining: &Pipelini
     let slots = slots(&b, &b.control());
     let mut ports = RANGES.iter().zip(0..).map(|(&range, k)| {
         let hold = if (3..6).contains(&k) { Hold::Frame } else { Hold::Span };
-        let port = InputPort::whole(&format!("input_{k}"), Format::signed(8, 0));
+        let port = InputPort::whole(format!("input_{k}"), Format::signed(8, 0));
         b.input(&InputPort { range, hold, ..port })
     });
     let mut next = || ports.next().unwrap();
