@@ -12,7 +12,7 @@ fn it_writes_scenes_that_run_takes() {
     let text = std::fs::read_to_string(place.path("stress/report.json")).unwrap();
     let report: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!(report["at_fault"], 0);
-    assert_eq!(report["hold"].as_u64().unwrap() + report["at_limit"].as_u64().unwrap(), 63);
+    assert_eq!(report["hold"].as_u64().unwrap() + report["at_limit"].as_u64().unwrap(), 64);
     for file in report["files"].as_array().unwrap() {
         assert!(place.path(&format!("stress/{}", file.as_str().unwrap())).is_file(), "{file}");
     }
