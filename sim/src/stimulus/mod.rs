@@ -96,7 +96,11 @@ impl<'a> Stimulus<'a> {
     /// Data takes at most the latency through the core, and the clocks in which it settles if it
     /// holds for a frame; and accumulators are loaded at the beginning of a span.
     pub fn leading_to(&self, window: &Range<u64>, design: &Design) -> Stimulus<'a> {
-        self.reaching_back(window, u64::from(design.latency()) + u64::from(design.settling()))
+        // A component that waits for its turn does so for up to two clocks, and its product counts as
+        // there two stages later: what is left of a pixel stays twice as long at most.
+        let waiting = if design.last_slot_only { design.depth() } else { 0 };
+        let clocks = [design.latency(), design.settling(), waiting];
+        self.reaching_back(window, clocks.into_iter().map(u64::from).sum())
     }
 
     /// The part of the run from `clocks` before the beginning of a span to the window's end. Of the

@@ -77,7 +77,8 @@ pub fn plan(
     let mut flow = Flow::of(design);
     let (roots, in_component) = without_hidden_feedback(design, &mut flow, watched);
     let mut overflowing = idle::overflowing(design);
-    if several_frames {
+    // Time slots before a pixel's last are no pixel's either.
+    if several_frames || design.last_slot_only {
         overflowing.extend(idle::overflowing_between_frames(design));
     }
     let alone = |id| in_component.contains(&id);
