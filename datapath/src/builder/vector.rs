@@ -240,13 +240,14 @@ impl Sub<&Vector> for Vector {
 /// smaller, at most.
 fn truncated_sum(fraction_bits: u32, products: &ThreeProducts) -> (Sig, f64) {
     let mut lost = 0.0;
-    let [x, y, z] = [0, 1, 2].map(|k| {
+    let mut truncated = |k| {
         let whole = products.get(k);
         let short = whole.truncated(fraction_bits);
         if short.fraction_bits() < whole.fraction_bits() {
             lost += short.ulp();
         }
         short
-    });
-    (x + y + z, lost)
+    };
+    let sum = truncated(0) + truncated(1) + truncated(2);
+    (sum, lost)
 }
