@@ -4,11 +4,16 @@ use specula_datapath::builder::Sig;
 use specula_datapath::design::{Op, Primitives};
 use specula_datapath::pass::{Pipelining, compile};
 use specula_datapath::target::Target;
-use specula_datapath::verilog::{Delays, LongDelays};
+use specula_datapath::verilog::{self, Delays, Header, LongDelays};
 use specula_datapath::{Builder, Design, Format, InputPort};
 
 /// A design for an ECP5 at 250 MHz of what `body` makes of two signals of 16 bits.
 fn design(body: impl FnOnce(&Builder, [Sig; 2]) -> Sig) -> Design {
+    design_at(250.0, body)
+}
+
+/// The same at so many MHz.
+fn design_at(mhz: f64, body: impl FnOnce(&Builder, [Sig; 2]) -> Sig) -> Design {
     let builder = Builder::new("core", "f(x, y)");
     let control = builder.control();
     let port = |name| InputPort::whole(name, Format::unsigned(16, 0));
@@ -16,7 +21,7 @@ fn design(body: impl FnOnce(&Builder, [Sig; 2]) -> Sig) -> Design {
     let out = body(&builder, inputs);
     let graph = builder.graph(&control.valid, &[("out", out)]).expect("it can be built");
     let target = Target::named("ecp5").expect("there is one");
-    let pipelining = Pipelining::ForClock { target: &target, mhz: 250.0 };
+    let pipelining = Pipelining::ForClock { target: &target, mhz };
     compile(&graph, &pipelining).expect("no loop is late")
 }
 
@@ -60,4 +65,20 @@ fn a_sum_takes_over_the_sign_of_a_product() {
     assert!(!design.nodes.iter().any(|node| subtracts_from_zero(&node.op)));
     let names: Vec<&str> = design.nodes.iter().map(|node| node.name.as_str()).collect();
     assert!(names.iter().any(|name| name.contains("negative")), "{names:?}");
+}
+
+/// A slow product takes its block without registers, so that nothing else in its unit has a clock: the
+/// block's pin has one all the same.
+#[test]
+fn a_block_without_registers_has_a_clock() {
+    let product = |builder: &Builder, [x, y]: [Sig; 2]| {
+        builder.unit("product", "x y", (("x", &x), ("y", &y)), |_, (x, y)| x * y)
+    };
+    let design = design_at(20.0, product);
+    assert_eq!(design.multipliers.iter().map(|block| block.registers).max(), Some(0));
+    let text = verilog::print(&design.to_block(), &Header::default());
+    let (_, module) = text.split_once("\nmodule core_product (").expect("the unit is a module");
+    let (ports, body) = module.split_once(");").expect("it has ports");
+    assert!(ports.split_whitespace().any(|word| word == "clock,"), "{ports}");
+    assert!(body.contains(".clock(clock), .a(x), .b(y)"), "{body}");
 }

@@ -77,9 +77,11 @@ fn clocks(number: u32) -> String {
     format!("{number} clock{}", if number == 1 { "" } else { "s" })
 }
 
-/// Whether there is a register in the module or in one below.
+/// Whether there is a register in the module or in one below, or a multiplier block, which has a
+/// clock also where its registers are not used.
 fn needs_clock(module: &Module) -> bool {
     module.cells().any(|c| c.register != Register::None)
+        || !module.multipliers().is_empty()
         || module.children().iter().any(|c| needs_clock(&c.module))
 }
 
