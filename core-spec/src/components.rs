@@ -14,17 +14,6 @@ pub enum Components {
 }
 
 impl Components {
-    /// Both.
-    pub const ALL: [Components; 2] = [Components::Parallel, Components::Serial];
-
-    /// The name that scene files use.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Components::Parallel => "parallel",
-            Components::Serial => "serial",
-        }
-    }
-
     /// Whether there is nothing to say of it.
     pub(crate) fn is_parallel(&self) -> bool {
         *self == Components::Parallel

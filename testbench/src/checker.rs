@@ -157,6 +157,8 @@ fn entries_outside(
     let Some(first) = lanes.first_outside(range.low, range.high) else { return Vec::new() };
     let entry = |row: usize| (batch.first_clock() + row as u64).checked_sub(stage);
     let outside = (first..lanes.clocks()).filter(|&row| !range.contains(lanes.get(row)));
-    let fed = outside.filter_map(entry).filter(|&entry| stimulus.feeds(entry));
-    fed.filter(|&entry| !design.last_slot_only || stimulus.completes(entry)).collect()
+    let belongs_to_a_pixel = |&entry: &u64| {
+        if design.last_slot_only { stimulus.completes(entry) } else { stimulus.feeds(entry) }
+    };
+    outside.filter_map(entry).filter(belongs_to_a_pixel).collect()
 }

@@ -4,7 +4,7 @@ use crate::bound::{Bound, ErrorBound, Interval};
 use crate::format::power_of_two;
 
 use super::Builder;
-use super::state::{SignalInfo, State};
+use super::state::SignalInfo;
 use crate::design::{NodeId, Op, Range, WideRange, format_of};
 use crate::graph::{GroupId, Pace, RealId, Rule};
 
@@ -56,11 +56,6 @@ impl Sig {
     /// Proven range of its raw values.
     pub fn range(&self) -> Range {
         self.builder.state.borrow().graph.value(self.id).range
-    }
-
-    /// The same while the graph is being changed.
-    pub(super) fn node_range(&self, state: &State) -> Range {
-        state.graph.value(self.id).range
     }
 
     /// Bits right of the binary point.

@@ -164,17 +164,18 @@ impl Builder {
             Products::Squares => first,
         };
         let fraction_bits = points[0] + points[1];
+        let own_ranges = pairs.iter().map(|pair| products.range(pair.each_ref().map(Sig::range)));
+        let own_ranges: Vec<WideRange> = own_ranges.collect();
         let mut state = self.state.borrow_mut();
         let ranges = [first, second].map(|id| state.graph.value(id).range);
         let info = SignalInfo { range: products.range(ranges), fraction_bits, kind: "product" };
         let mut product = state.emit(Op::Mul(first, second), Pace::Target, info);
         let mut ids = vec![];
-        for (turn, pair) in pairs.iter().enumerate() {
+        for (turn, range) in own_ranges.into_iter().enumerate() {
             if turn > 0 {
                 product = state.emit(Op::Copy(product), Pace::Ahead, info);
             }
-            let own = products.range([pair[0].node_range(&state), pair[1].node_range(&state)]);
-            let info = SignalInfo { range: own, ..info };
+            let info = SignalInfo { range, ..info };
             ids.push(state.emit(Op::Wrap(product), Pace::Wire, info));
         }
         drop(state);

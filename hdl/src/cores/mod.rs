@@ -1,5 +1,6 @@
 //! Cores: units put together so that a span goes in and pixels come out, one in each clock or,
-//! where lights share a pipeline, in as many as there are lights.
+//! where lights share a pipeline, in as many as there are lights; where components take turns, in
+//! three.
 mod attenuation;
 mod common;
 mod consistent;
