@@ -5,10 +5,10 @@ use specula_scene::needs::{LocalKind, Needs};
 
 use crate::core_spec::CoreSpec;
 use crate::error::SpecError;
+use crate::given_values::GivenValues;
 use crate::parameters::{CoreParameters, FULL_SCALE};
 use crate::shading_method::Viewpoint;
 use crate::specialisation::Given;
-use crate::specialise::GivenValues;
 
 /// Of a light that is not there.
 const DARK: Colour = [0.0; 3];
@@ -68,7 +68,7 @@ impl CoreSpec {
     fn check_inputs(&self, frame: &Frame) -> Result<(), SpecError> {
         let general = self.general();
         let ports = general.inputs();
-        let values = GivenValues::of_frame(&general, &ports, frame);
+        let values = GivenValues::of_frames(&general, &ports, frame.into());
         let mut wrong = (0..ports.len())
             .filter_map(|input| Some((input, self.left_out(input, &ports, &values)?)));
         let Some((input, (has, needs))) = wrong.next() else { return Ok(()) };

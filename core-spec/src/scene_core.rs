@@ -24,8 +24,8 @@ pub enum CoreError {
 /// What a loaded scene says of the core that shades it.
 pub trait SceneCore {
     /// The core for this scene, with `method` if one is given, or else the method in the scene
-    /// file's `[core]` table, or else `lyon`. It is specialised for this frame, unless the table
-    /// has `specialise = "general"`. Formats that the table does not name are the recommended
+    /// file's `[core]` table, or else `lyon`. It is specialised for this frame, or for all frames
+    /// where the scene moves, unless the table has `specialise = "general"`. Formats that the table does not name are the recommended
     /// ones.
     ///
     /// # Errors
@@ -60,10 +60,11 @@ pub trait SceneCore {
 
 impl SceneCore for LoadedScene {
     fn core_spec(&self, method: Option<Method>) -> Result<CoreSpec, CoreError> {
-        let spec = self.core_for(&Needs::of(&self.frame), method)?;
-        Ok(match specialise(self)? {
-            Specialise::General => spec,
-            Specialise::Scene => spec.specialised(&self.frame),
+        let spec = self.core_for(&self.needs()?, method)?;
+        Ok(match (specialise(self)?, &self.sequence) {
+            (Specialise::General, _) => spec,
+            (Specialise::Scene, None) => spec.specialised(&self.frame),
+            (Specialise::Scene, Some(sequence)) => spec.survey(sequence)?.core,
         })
     }
 
@@ -95,7 +96,7 @@ impl SceneCore for LoadedScene {
         let asked = core_options(self)?
             .and_then(|options| options.method_table(Method::Phong).remove("places"))
             .is_some_and(|places| places.as_str() == Some("wrapped"));
-        Ok(asked.then(|| Needs::of(&self.frame).most_off_by_wraps))
+        Ok(asked.then(|| self.needs().map(|needs| needs.most_off_by_wraps)).transpose()?)
     }
 
     fn unnamed_formats(&self) -> Result<UnnamedFormats, CoreError> {

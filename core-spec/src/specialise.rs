@@ -1,34 +1,43 @@
-//! A core for one frame alone, which leaves out what the frame's spans do not need.
+//! A core for some frames alone, which leaves out what their spans do not need.
 use specula_datapath::InputPort;
 use specula_datapath::format::power_of_two;
-use specula_scene::frame::Frame;
 
 use crate::core_spec::CoreSpec;
-use crate::set_up::SetUp;
+use crate::frames::Frames;
+use crate::given_values::GivenValues;
 use crate::specialisation::{Given, Specialisation};
 
 impl CoreSpec {
-    /// The same core for this frame alone: it gives the same codes, and need not take inputs that
-    /// the frame does not have.
-    pub fn specialised(&self, frame: &Frame) -> CoreSpec {
+    /// The same core for a frame alone, or for several: it gives the same codes, and need not take
+    /// inputs that these frames do not have.
+    pub fn specialised<'a>(&self, frames: impl Into<Frames<'a>>) -> CoreSpec {
         let general = self.general();
         let ports = general.inputs();
-        let values = GivenValues::of_frame(&general, &ports, frame);
+        let values = GivenValues::of_frames(&general, &ports, frames.into());
+        general.given(&ports, &values)
+    }
+
+    /// This general core, whose inputs have these ports, where they are given these values.
+    pub(crate) fn given(self, ports: &[InputPort], values: &GivenValues) -> CoreSpec {
         let given = ports
             .iter()
             .enumerate()
-            .filter_map(|(i, port)| Some((port.name.clone(), values.given(i, &ports)?)));
-        CoreSpec { specialisation: Specialisation::new(given), ..general }
+            .filter_map(|(i, port)| Some((port.name.clone(), values.given(i, ports)?)));
+        CoreSpec { specialisation: Specialisation::new(given), ..self }
     }
 
-    /// As [`CoreSpec::specialised`], where another core for the frame alone is at hand, `special`.
-    /// Spans are set up only if this core's inputs are not given what that one's are.
-    pub fn specialised_as(&self, special: &CoreSpec, frame: &Frame) -> CoreSpec {
+    /// As [`CoreSpec::specialised`], where another core for these frames alone is at hand,
+    /// `special`. Spans are set up only if this core's inputs are not given what that one's are.
+    pub fn specialised_as<'a>(
+        &self,
+        special: &CoreSpec,
+        frames: impl Into<Frames<'a>>,
+    ) -> CoreSpec {
         let general = self.general();
         if general.is_given_what(&special.general()) {
             CoreSpec { specialisation: special.specialisation.clone(), ..general }
         } else {
-            general.specialised(frame)
+            general.specialised(frames)
         }
     }
 
@@ -87,63 +96,6 @@ fn converted_given(
             let as_twin = InputPort { name: twin.clone(), ..port.clone() };
             converted_given(&as_twin, own, others, given)
         }
-    }
-}
-
-/// The values that the inputs of a core are given over a frame.
-pub(crate) struct GivenValues {
-    /// Smallest and largest raw value of each; none in a frame without spans.
-    ranges: Option<Vec<(i64, i64)>>,
-    /// For each the earlier ones of its format that always had its value.
-    twins: Vec<Vec<usize>>,
-}
-
-impl GivenValues {
-    /// Sets up every span of the frame.
-    pub fn of_frame(core: &CoreSpec, ports: &[InputPort], frame: &Frame) -> GivenValues {
-        let set_up = SetUp::new(core, frame);
-        let earlier = |own: usize| {
-            (0..own).filter(|&other| ports[other].format == ports[own].format).collect()
-        };
-        let mut values =
-            GivenValues { ranges: None, twins: (0..ports.len()).map(earlier).collect() };
-        let mut inputs = Vec::with_capacity(ports.len());
-        for span in &frame.spans {
-            inputs.clear();
-            set_up.append(span, &mut inputs);
-            values.add(&inputs);
-        }
-        values
-    }
-
-    fn add(&mut self, inputs: &[i64]) {
-        let ranges =
-            self.ranges.get_or_insert_with(|| inputs.iter().map(|&raw| (raw, raw)).collect());
-        for (range, &raw) in ranges.iter_mut().zip(inputs) {
-            *range = (range.0.min(raw), range.1.max(raw));
-        }
-        for (twins, &raw) in self.twins.iter_mut().zip(inputs) {
-            twins.retain(|&other| inputs[other] == raw);
-        }
-    }
-
-    /// Smallest and largest raw value of an input; none in a frame without spans.
-    pub fn range(&self, input: usize) -> Option<(i64, i64)> {
-        self.ranges.as_ref().map(|ranges| ranges[input])
-    }
-
-    /// Earlier inputs that always had the value of this one.
-    pub fn twins(&self, input: usize) -> &[usize] {
-        &self.twins[input]
-    }
-
-    /// What an input was given, if that is less than its port takes.
-    fn given(&self, input: usize, ports: &[InputPort]) -> Option<Given> {
-        let range = self.range(input)?;
-        // An input that never changes needs no twin.
-        let twin = self.twins[input].first().filter(|_| range.0 != range.1);
-        let same = twin.map(|&other| Given::SameAs(ports[other].name.clone()));
-        same.or((range != ports[input].range).then_some(Given::Between([range.0, range.1])))
     }
 }
 

@@ -1,12 +1,14 @@
 //! Scenes that are part of the program.
 
 /// The name and scene file of each built-in scene.
-const SCENES: [(&str, &str); 5] = [
+const SCENES: [(&str, &str); 7] = [
     ("teapot", include_str!("../../scenes/teapot.toml")),
     ("spheres", include_str!("../../scenes/spheres.toml")),
     ("torus", include_str!("../../scenes/torus.toml")),
     ("icosahedron", include_str!("../../scenes/icosahedron.toml")),
     ("lamps", include_str!("../../scenes/lamps.toml")),
+    ("turntable", include_str!("../../scenes/turntable.toml")),
+    ("sunrise", include_str!("../../scenes/sunrise.toml")),
 ];
 
 const NAMES: [&str; SCENES.len()] = {

@@ -1,12 +1,12 @@
 //! Loads a scene by its name: a built-in scene, a scene file, or a mesh.
 use std::path::Path;
 
-use crate::file::{CoreTable, SceneFile, SourceFile};
+use crate::file::{CoreTable, SceneFile, SourceFile, View};
 use crate::mesh::error::listed;
 use crate::mesh::{self, EXTENSIONS, Mesh, Warning};
 use crate::picture::camera::Camera;
 use crate::picture::{Object, Scene};
-use crate::{Frame, SceneError, Surface, builtin, defaults};
+use crate::{Frame, Needs, SceneError, Sequence, SequenceFrame, Surface, builtin, defaults};
 
 /// A scene with its visible spans, and its table for the core.
 #[derive(Clone, Debug)]
@@ -15,8 +15,10 @@ pub struct LoadedScene {
     /// digit at the beginning, so that it can be part of a file's or module's name; at most 48
     /// characters.
     pub name: String,
-    /// The frame to be shaded.
+    /// The frame to be shaded; of a scene that moves, the first one.
     pub frame: Frame,
+    /// All frames, if the scene moves.
+    pub sequence: Option<Sequence>,
     /// The curved surfaces that objects represent, where they are known: one for each of the
     /// frame's materials, or none at all.
     pub surfaces: Vec<Option<Surface>>,
@@ -24,6 +26,24 @@ pub struct LoadedScene {
     pub core: Option<CoreTable>,
     /// What was skipped in the scene's meshes: one warning of each kind for each file.
     pub warnings: Vec<Warning>,
+}
+
+impl LoadedScene {
+    /// The needs of its frame, or of all frames together if it moves.
+    ///
+    /// # Errors
+    /// [`SceneError::Picture`] if a frame cannot be drawn.
+    pub fn needs(&self) -> Result<Needs, SceneError> {
+        match &self.sequence {
+            None => Ok(Needs::of(&self.frame)),
+            Some(sequence) => sequence.needs(),
+        }
+    }
+
+    /// The scene as it is in a frame of its sequence.
+    pub fn in_frame(self, frame: SequenceFrame) -> LoadedScene {
+        LoadedScene { frame: frame.frame, surfaces: frame.surfaces, ..self }
+    }
 }
 
 /// Largest length of a name that is made from a file's name, in characters.
@@ -79,14 +99,14 @@ pub fn parse(name: &str, text: String) -> Result<LoadedScene, SceneError> {
 fn finish(
     scene: &str,
     name: &str,
-    mut file: SceneFile,
+    file: SceneFile,
     size: Option<(u32, u32)>,
 ) -> Result<LoadedScene, SceneError> {
-    let frame = file.frame(scene, size)?;
-    let surfaces = file.surfaces();
+    let View { frame, surfaces, sequence } = file.view(scene, size)?;
     Ok(LoadedScene {
         name: name.to_owned(),
         frame,
+        sequence,
         surfaces,
         core: file.core,
         warnings: file.warnings,
@@ -102,7 +122,7 @@ fn mesh_scene(mesh: Mesh) -> Scene {
         ambient: defaults::AMBIENT,
         lights: vec![defaults::light()],
         objects: vec![Object {
-            mesh,
+            mesh: mesh.into(),
             primitive: None,
             place: glam::DAffine3::IDENTITY,
             material: defaults::material(),

@@ -1,5 +1,7 @@
 //! The needs of a frame: they determine which hardware is built and how wide it is, and whether an
 //! existing core can shade the frame.
+mod together;
+
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
@@ -95,9 +97,13 @@ pub struct Ranges {
 impl Interval {
     /// The smallest interval that contains all `values`; [0, 0] if there are none.
     pub fn of(values: impl IntoIterator<Item = f64>) -> Interval {
-        let hull =
-            |a: Interval, b: Interval| Interval { low: a.low.min(b.low), high: a.high.max(b.high) };
-        values.into_iter().map(|x| Interval { low: x, high: x }).reduce(hull).unwrap_or_default()
+        let points = values.into_iter().map(|x| Interval { low: x, high: x });
+        points.reduce(Interval::hull).unwrap_or_default()
+    }
+
+    /// The smallest interval that contains both.
+    pub fn hull(self, other: Interval) -> Interval {
+        Interval { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 }
 

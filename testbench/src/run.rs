@@ -165,10 +165,14 @@ impl<'a> Bench<'a> {
     /// # Errors
     /// [`BenchError::TooWide`] if the spec's formats are too fine.
     pub fn new(frame: &'a Frame, spec: &'a CoreSpec, name: &str) -> Result<Bench<'a>, BenchError> {
-        let design = specula_hdl::elaborate(spec, name)?;
+        Ok(Bench::of_design(frame, spec, specula_hdl::elaborate(spec, name)?))
+    }
+
+    /// The bench of a core that has been elaborated from `spec`.
+    pub fn of_design(frame: &'a Frame, spec: &'a CoreSpec, design: Design) -> Bench<'a> {
         let spans = FrameSpans::new(frame, spec);
         let (first_pixels, entry) = (FirstPixels::of(&spans), Entry::Consecutive);
-        Ok(Bench { frame, spec, design, spans, first_pixels, kept: OnceLock::new(), entry })
+        Bench { frame, spec, design, spans, first_pixels, kept: OnceLock::new(), entry }
     }
 
     /// The same bench with random bubbles of 0 to 4 clocks before each time slot of a pixel. The same

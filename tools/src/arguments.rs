@@ -4,12 +4,12 @@ use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use specula_experiments::formats::{self, DefaultCore, default_core};
+use specula_experiments::formats::{self, DefaultCore, FAITHFUL, core_of_sequence, default_core};
 use specula_experiments::search::{self, Measured};
 use specula_hdl::module_name;
 use specula_scene::picture::limits;
 use specula_scene::{Frame, LoadedScene};
-use specula_spec::{CoreSpec, Method, SceneCore, SpecFile, Specialise, UnnamedFormats};
+use specula_spec::{CoreSpec, Frames, Method, SceneCore, SpecFile, Specialise, UnnamedFormats};
 use specula_testbench::EngineKind;
 use specula_testbench::trace::Choice;
 
@@ -120,8 +120,7 @@ impl CoreArguments {
 
     /// The core for a scene, for no clock in particular, in the formats that are asked for.
     fn in_formats(&self, scene: &LoadedScene) -> Result<DefaultCore, ToolError> {
-        let products = self.made_for.products()?;
-        let (spec, frame) = (scene.core_spec(self.method)?, &scene.frame);
+        let spec = scene.core_spec(self.method)?;
         if let Some(lsb) = scene.refused_wraps(&spec)? {
             // A closed standard error is no reason to stop.
             let _ = writeln!(
@@ -129,22 +128,49 @@ impl CoreArguments {
                 "places: true directions: wrapped ones may move colours of this scene by {lsb:.1} LSB"
             );
         }
-        if let Some(goal) = self.measured() {
-            // The search for narrow formats starts from the general core.
-            let general = spec.specialisation.is_general();
-            let wish = self.specialise.or((!general).then_some(Specialise::Scene));
-            let spec = specialised(search::narrowest_formats(&spec, frame, goal)??, wish, frame);
-            return Ok(DefaultCore { spec, not_faithful: None });
+        let start = specialised(spec.clone(), self.specialise, &scene.frame);
+        match (self.measured(), &scene.sequence) {
+            (Some(_), Some(_)) => Err(ToolError::MeasuredSequence),
+            (Some(goal), None) => self.as_measured(&spec, &scene.frame, goal),
+            (None, Some(sequence)) if !start.specialisation.is_general() => {
+                let below = self.bound.unwrap_or(FAITHFUL);
+                let search = |start, frames: &[Frame]| self.as_proven(start, scene, frames);
+                core_of_sequence(&start, sequence, below, search)
+            }
+            (None, _) => self.as_proven(start, scene, &scene.frame),
         }
-        let start = specialised(spec, self.specialise, frame);
+    }
+
+    /// The core in the narrowest formats whose error, measured on every pixel, stays within a goal.
+    fn as_measured(
+        &self,
+        spec: &CoreSpec,
+        frame: &Frame,
+        goal: (Measured, f64),
+    ) -> Result<DefaultCore, ToolError> {
+        // The search for narrow formats starts from the general core.
+        let general = spec.specialisation.is_general();
+        let wish = self.specialise.or((!general).then_some(Specialise::Scene));
+        let spec = specialised(search::narrowest_formats(spec, frame, goal)??, wish, frame);
+        Ok(DefaultCore { spec, not_faithful: None })
+    }
+
+    /// The core in formats for which a bound is proven, of which it starts in others.
+    fn as_proven<'a>(
+        &self,
+        start: CoreSpec,
+        scene: &LoadedScene,
+        frames: impl Into<Frames<'a>>,
+    ) -> Result<DefaultCore, ToolError> {
+        let products = self.made_for.products()?;
         let kept = &scene.named_formats(start.method())?;
         if let Some(below) = self.bound {
             let wanted = formats::Wanted { below, products, kept };
-            let spec = formats::cheapest_formats(&start, frame, &wanted)??.spec;
+            let spec = formats::cheapest_formats(&start, frames, &wanted)??.spec;
             return Ok(DefaultCore { spec, not_faithful: None });
         }
         Ok(match self.formats.map_or_else(|| scene.unnamed_formats(), Ok)? {
-            UnnamedFormats::Faithful => default_core(start, frame, kept, products)?,
+            UnnamedFormats::Faithful => default_core(start, frames, kept, products)?,
             UnnamedFormats::Recommended => DefaultCore { spec: start, not_faithful: None },
         })
     }

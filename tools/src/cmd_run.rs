@@ -7,10 +7,11 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::Args;
+use specula_datapath::Design;
 use specula_experiments::tradeoff::predicted_mhz;
 use specula_experiments::{ablation, bound_shares};
 use specula_testbench::trace::Choice;
-use specula_testbench::{Bench, EngineKind, Outcome};
+use specula_testbench::{Bench, BenchError, EngineKind, Outcome};
 
 use crate::arguments::{
     CoreArguments, NameArguments, OutputArguments, SceneArguments, engine_parser, parse_choice,
@@ -20,9 +21,10 @@ use crate::device::Fitted;
 use crate::disagreement::Disagreement;
 use crate::error::ToolError;
 use crate::job::Job;
-use crate::output::{Destination, Interrupts, REPORT};
+use crate::output::{Destination, Interrupts, REPORT, Staging};
 use crate::report::{self, Report};
 use crate::run::{DEFAULT_ENGINE, Run, simulate};
+use crate::sequence::{self, ShadedSequence, Simulation};
 use crate::stream_top::{StreamOutcome, StreamedFrame, Top};
 use crate::target_arguments::CLOCK_HELP;
 use crate::trace_file::TraceFormat;
@@ -93,9 +95,17 @@ pub fn execute(
     let begin = Instant::now();
     let job = arguments.job()?;
     let folder = arguments.output.folder(arguments.name.name.as_ref().unwrap_or(&job.scene.name));
-    let destination = Destination::check(&folder, &artifacts::names(&job.module()), interrupts)?;
-    let bench = Bench::new(&job.scene.frame, job.spec(), &job.module())?;
-    let fitted = arguments.wanted.made_for.fitted(bench.spec, &bench.design)?;
+    let files = artifacts::names(&job.module(), job.frames());
+    let destination = Destination::check(&folder, &files, interrupts)?;
+    let design = specula_hdl::elaborate(job.spec(), &job.module()).map_err(BenchError::from)?;
+    let fitted = arguments.wanted.made_for.fitted(job.spec(), &design)?;
+    let staging = destination.stage()?;
+    let sequence = arguments.shaded_sequence(&job, &design, &staging)?;
+    let job = match &sequence {
+        Some(sequence) => job.in_frame(sequence.shown)?,
+        None => job,
+    };
+    let bench = Bench::of_design(&job.scene.frame, job.spec(), design);
     waveform::check(&arguments.trace, &bench)?;
     let (bench, streamed) = arguments.entering(&job, bench)?;
     let outcome = simulate(&bench, arguments.engine)?;
@@ -103,8 +113,8 @@ pub fn execute(
         .map(|streamed| streamed.outcome(&job, &bench, &outcome, arguments.engine))
         .transpose()?;
 
-    let run = run_of(arguments, &job, &bench, fitted, (&outcome, stream));
-    let text = write(arguments, begin, &destination, &run)?;
+    let run = Run { sequence, ..run_of(arguments, &job, &bench, fitted, (&outcome, stream)) };
+    let text = write(arguments, begin, (&destination, staging), &run)?;
     write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
     Ok(verdict(run.disagreement.as_ref()))
 }
@@ -116,6 +126,19 @@ impl Arguments {
             None => Job::of_scene(&self.scene, &self.wanted, &self.name),
             Some(core) => Job::with_core(&self.scene, core, &self.name),
         }
+    }
+
+    /// Every frame, shaded and written, if the scene moves.
+    fn shaded_sequence(
+        &self,
+        job: &Job,
+        design: &Design,
+        staging: &Staging,
+    ) -> Result<Option<ShadedSequence>, ToolError> {
+        let Some(sequence) = &job.scene.sequence else { return Ok(None) };
+        let bubbles = self.stalls.filter(|_| self.top == Top::Core);
+        let simulation = Simulation { engine: self.engine, bubbles };
+        sequence::shade((job, sequence), design, simulation, staging).map(Some)
     }
 
     /// The bench with the clocks in which pixels go in, and the frame in the stream top that tells
@@ -166,6 +189,7 @@ fn run_of<'a>(
         savings: if is_general { None } else { ablation(&job.scene, bench.spec, None).ok() },
         outcome,
         stalls: arguments.stalls,
+        sequence: None,
         stream,
         window: bench.window(&trace, outcome),
         trace,
@@ -176,14 +200,15 @@ fn run_of<'a>(
 fn write(
     arguments: &Arguments,
     begin: Instant,
-    destination: &Destination,
+    (destination, staging): (&Destination, Staging),
     run: &Run,
 ) -> Result<String, ToolError> {
-    let staging = destination.stage()?;
     let artifacts = artifacts(&run.module);
     let artifacts: Vec<Artifact> =
         artifacts.into_iter().filter(|artifact| (artifact.is_of)(run)).collect();
-    let files = artifacts.iter().map(|artifact| artifact.name.clone()).collect();
+    let frames = run.sequence.as_ref().map_or(0, |sequence| sequence.frames);
+    let files = artifacts.iter().map(|artifact| artifact.name.clone());
+    let files = files.chain((0..frames).map(sequence::picture_name)).collect();
     let report = Report::new(run, begin, files);
     for artifact in &artifacts {
         artifact.write(&report, &staging)?;

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use miette::Diagnostic;
 use specula_experiments::benchmark::MeasureError;
-use specula_experiments::formats::NotProven;
+use specula_experiments::formats::{NotProven, SequenceError};
 use specula_experiments::search::NotFound;
 use specula_experiments::tradeoff::{JournalError, SweepError};
 use specula_flow::stream::Stuck;
@@ -53,6 +53,13 @@ pub enum ToolError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     NotFound(#[from] NotFound),
+    /// An error is to be measured on a scene of which no single frame stands for all.
+    #[error("formats cannot be chosen by errors that are measured, as the scene has several frames")]
+    #[diagnostic(
+        code(specula::sequence::measured),
+        help("ask for a proven error with `--bound`: it holds for every frame")
+    )]
+    MeasuredSequence,
     /// No core is proven as exact as the user asked for.
     #[error(transparent)]
     #[diagnostic(transparent)]
@@ -203,6 +210,15 @@ impl From<SceneError> for ToolError {
 impl From<CoreError> for ToolError {
     fn from(error: CoreError) -> ToolError {
         ToolError::Core(Box::new(error))
+    }
+}
+
+impl From<SequenceError> for ToolError {
+    fn from(error: SequenceError) -> ToolError {
+        match error {
+            SequenceError::Scene(error) => error.into(),
+            SequenceError::Bench(error) => error.into(),
+        }
     }
 }
 

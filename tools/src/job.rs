@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use specula_experiments::formats::{DefaultCore, NotProven};
-use specula_scene::LoadedScene;
+use specula_scene::{LoadedScene, Sequence};
 use specula_spec::{CoreSpec, FittedCore, SpecFile};
 
 use crate::arguments::{CoreArguments, NameArguments, PictureArguments, SceneArguments};
@@ -68,6 +68,21 @@ impl Job {
     /// The core.
     pub fn spec(&self) -> &CoreSpec {
         &self.file.spec
+    }
+
+    /// The number of frames, 0 of a scene that does not move.
+    pub fn frames(&self) -> u32 {
+        self.scene.sequence.as_ref().map_or(0, Sequence::frames)
+    }
+
+    /// The same job for one frame of the scene's sequence; for the scene as it is if it does not
+    /// move.
+    pub fn in_frame(self, number: u32) -> Result<Job, ToolError> {
+        let frame = match &self.scene.sequence {
+            Some(sequence) => sequence.frame(number)?,
+            None => return Ok(self),
+        };
+        Ok(Job { scene: self.scene.in_frame(frame), ..self })
     }
 
     /// The name of its Verilog module.

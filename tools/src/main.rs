@@ -34,6 +34,7 @@ mod progress;
 mod report;
 mod run;
 mod scene;
+mod sequence;
 mod stream_top;
 mod table;
 mod target_arguments;

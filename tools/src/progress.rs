@@ -18,6 +18,19 @@ pub fn bar(doing: &'static str, clocks: u64) -> ProgressBar {
     }
 }
 
+/// A bar that shows how many of `frames` frames are done.
+pub fn frames(frames: u32) -> ProgressBar {
+    if !io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let bar = ProgressBar::new(frames.into());
+    match ProgressStyle::with_template("shading    {bar:40} {pos}/{len} frames {eta}") {
+        Ok(style) => bar.with_style(style),
+        // The template is a constant, as in `bar`.
+        Err(_) => bar,
+    }
+}
+
 /// A bar that shows the current step, its number and the number of steps.
 pub fn steps() -> ProgressBar {
     if !io::stderr().is_terminal() {

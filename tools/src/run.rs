@@ -12,6 +12,7 @@ use crate::disagreement::Disagreement;
 use crate::error::ToolError;
 use crate::job::Job;
 use crate::progress;
+use crate::sequence::ShadedSequence;
 use crate::stream_top::StreamOutcome;
 use crate::trace_file::TraceFormat;
 
@@ -54,6 +55,8 @@ pub struct Run<'a> {
     pub outcome: &'a Outcome,
     /// The seed of random pauses, if there are any.
     pub stalls: Option<u32>,
+    /// All frames, if the scene moves; then the run is that of one of them.
+    pub sequence: Option<ShadedSequence>,
     /// The outcome of its streams, if they were simulated.
     pub stream: Option<StreamOutcome>,
     /// What disagrees, if anything does.

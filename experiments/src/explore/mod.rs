@@ -342,7 +342,7 @@ impl Tries<'_> {
 
     fn tried_anew(&self, options: &Options, general: &CoreSpec) -> Result<Tried, BenchError> {
         let Search { frame, sample, wanted, progress, .. } = self.search;
-        let spec = general.specialised(frame);
+        let spec = general.specialised(*frame);
         let of = |core: &Explored| Tried::of(core, wanted);
         let seen = self.tried.borrow().iter().find(|core| core.spec == spec).map(of);
         if let Some(seen) = seen {

@@ -1,6 +1,5 @@
 //! The core that a scene is given where nobody asks for another one.
-use specula_scene::Frame;
-use specula_spec::CoreSpec;
+use specula_spec::{CoreSpec, Frames};
 use specula_testbench::BenchError;
 
 use super::{FAITHFUL, NotProven, Products, Wanted, cheapest_formats};
@@ -15,15 +14,15 @@ pub struct DefaultCore {
     pub not_faithful: Option<NotProven>,
 }
 
-/// `recommended`, a core of `frame` in recommended formats, in the cheapest that are found for
+/// `recommended`, a core of a frame or several in recommended formats, in the cheapest that are found for
 /// which it is faithful by its bound; as it is where there are none. Formats that are `named` stay,
 /// and where all are, nothing is searched.
 ///
 /// # Errors
 /// [`BenchError`] if a core cannot be built.
-pub fn default_core(
+pub fn default_core<'a>(
     recommended: CoreSpec,
-    frame: &Frame,
+    frames: impl Into<Frames<'a>>,
     named: &[String],
     products: Products,
 ) -> Result<DefaultCore, BenchError> {
@@ -32,7 +31,7 @@ pub fn default_core(
         return Ok(DefaultCore { spec: recommended, not_faithful: None });
     }
     let wanted = Wanted { below: FAITHFUL, products, kept: named };
-    Ok(match cheapest_formats(&recommended, frame, &wanted)? {
+    Ok(match cheapest_formats(&recommended, frames, &wanted)? {
         Ok(proven) => DefaultCore { spec: proven.spec, not_faithful: None },
         Err(reason) => DefaultCore { spec: recommended, not_faithful: Some(reason) },
     })

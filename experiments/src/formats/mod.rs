@@ -13,16 +13,17 @@ mod default_core;
 mod descent;
 mod model;
 mod obstacle;
+mod of_sequence;
 mod products;
 mod trials;
 
 use rayon::prelude::*;
-use specula_scene::Frame;
-use specula_spec::CoreSpec;
+use specula_spec::{CoreSpec, Frames};
 use specula_testbench::BenchError;
 
 pub use default_core::{DefaultCore, default_core};
 use model::Model;
+pub use of_sequence::{SequenceError, core_of_sequence};
 pub use products::Products;
 use trials::{State, Trials, Tried};
 
@@ -101,17 +102,18 @@ pub struct NotProven {
 }
 
 /// `start` in the cheapest formats found whose proven bound is below the goal; a core that is
-/// specialised for `frame` stays so.
+/// specialised for a frame or several stays so.
 ///
 /// # Errors
 /// [`NotProven`] with the smallest bound of those tried; [`BenchError`] if a core cannot be built.
-pub fn cheapest_formats(
+pub fn cheapest_formats<'a>(
     start: &CoreSpec,
-    frame: &Frame,
+    frames: impl Into<Frames<'a>>,
     wanted: &Wanted,
 ) -> Result<Result<Proven, NotProven>, BenchError> {
     let start = &start.in_search_formats(wanted.kept);
-    let search = Search { trials: Trials::new(start, wanted), start, frame, wanted };
+    let search =
+        Search { trials: Trials::new(start, wanted), start, frames: frames.into(), wanted };
     let goal = wanted.below - MARGIN;
     let mut below = goal;
     let mut at = search.beginning();
@@ -137,7 +139,7 @@ pub fn cheapest_formats(
 struct Search<'a> {
     trials: Trials<'a>,
     start: &'a CoreSpec,
-    frame: &'a Frame,
+    frames: Frames<'a>,
     wanted: &'a Wanted<'a>,
 }
 
@@ -227,7 +229,7 @@ impl Search<'_> {
         // Formats of a trial can be described.
         let general = self.start.with_fraction_bits(formats).unwrap_or(self.start.general());
         let is_general = self.start.specialisation.is_general();
-        let spec = if is_general { general } else { general.specialised_as(near, self.frame) };
+        let spec = if is_general { general } else { general.specialised_as(near, self.frames) };
         Ok(Exact { tried: self.trials.appraised(&spec)?, spec })
     }
 

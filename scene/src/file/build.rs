@@ -7,7 +7,7 @@ use toml::Spanned;
 use super::shown::Shown;
 use super::values::{Integer, Number, Triple};
 
-use super::{SourceFile, check, light, object, raw, span};
+use super::{SourceFile, check, light, object, raw, sequence, span};
 use crate::limits::MOST_LIGHTS;
 use crate::mesh::Warning;
 use crate::picture::camera::Camera;
@@ -22,10 +22,17 @@ pub(super) fn build(
     folder: Option<&Path>,
     warnings: &mut Vec<Warning>,
 ) -> Result<Shown, SceneError> {
-    if file.span.is_empty() {
-        return scene(file, source, folder, warnings).map(Shown::Objects);
+    if !file.span.is_empty() {
+        return rows(file, source).map(Shown::Rows);
     }
-    rows(file, source).map(Shown::Rows)
+    let (table, scene) = (file.sequence.clone(), scene(file, source, folder, warnings)?);
+    Ok(match table {
+        None => Shown::Objects(scene),
+        Some(table) => {
+            let table = sequence::sequence(source, &table, &scene)?;
+            Shown::Moving(scene, table)
+        }
+    })
 }
 
 fn scene(
@@ -45,10 +52,15 @@ fn scene(
 }
 
 fn rows(file: raw::File, source: &SourceFile) -> Result<SpanRows, SceneError> {
-    let other = [file.object.first().map(Spanned::span), file.size.as_ref().map(Spanned::span)];
+    let other = [
+        file.object.first().map(Spanned::span),
+        file.size.as_ref().map(Spanned::span),
+        file.sequence.as_ref().map(Spanned::span),
+    ];
     if let Some(at) = other.into_iter().flatten().next() {
-        let help = "a scene has objects and perhaps a `size`, or spans, which say how large the picture is; leave one of them out";
-        return Err(source.error(at, "a scene of spans has neither objects nor a `size`", help));
+        let help = "a scene has objects and perhaps a `size` and a `[sequence]`, or spans, which say how large the picture is; leave one of them out";
+        let problem = "a scene of spans has neither objects, nor a `size`, nor a `[sequence]`";
+        return Err(source.error(at, problem, help));
     }
     Ok(SpanRows {
         background: background(source, file.background.as_ref())?,

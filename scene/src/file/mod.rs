@@ -5,6 +5,7 @@ mod core;
 mod light;
 mod object;
 mod raw;
+mod sequence;
 mod shown;
 mod source;
 mod span;
@@ -19,8 +20,10 @@ pub use self::source::SourceFile;
 use crate::mesh::Warning;
 use crate::picture::Scene;
 use crate::picture::project::PictureError;
+use crate::sequence::{MovingScene, Sequence, SequenceFrame};
 use crate::{Frame, SceneError, Surface};
 
+use self::sequence::SequenceTable;
 use shown::Shown;
 
 /// A pointer to the documentation of the keys.
@@ -60,35 +63,57 @@ impl SceneFile {
         SceneFile { shown: Shown::Objects(scene), core: None, warnings, camera: None }
     }
 
-    /// Makes the frame, `size` pixels large if given; `name` is the scene's name in errors.
+    /// What is to be shaded, in a picture of `size` pixels if given; `name` is the scene's name in
+    /// errors.
     ///
     /// # Errors
     /// A [`SceneError`], which points at the camera if that is at fault.
-    pub fn frame(&mut self, name: &str, size: Option<(u32, u32)>) -> Result<Frame, SceneError> {
-        let frame = match (&mut self.shown, size) {
+    pub fn view(&self, name: &str, size: Option<(u32, u32)>) -> Result<View, SceneError> {
+        match (&self.shown, size) {
             (Shown::Objects(scene), size) => {
-                scene.size = size.unwrap_or(scene.size);
-                scene.frame()
+                let scene = sized(scene, size);
+                let frame = scene.frame().map_err(|error| self.error(name, error))?;
+                Ok(View { frame, surfaces: scene.surfaces(), sequence: None })
             }
-            (Shown::Rows(rows), None) => rows.frame(),
-            (Shown::Rows(_), Some(_)) => Err(PictureError::OwnSize),
-        };
-        frame.map_err(|error| match (&self.camera, &error) {
+            (Shown::Moving(scene, table), size) => {
+                let SequenceTable { frames, motions } = table.clone();
+                let scene = MovingScene::new(sized(scene, size), frames, motions)
+                    .map_err(|error| self.error(name, error))?;
+                let sequence = Sequence::new(name, scene);
+                let SequenceFrame { frame, surfaces } = sequence.frame(0)?;
+                Ok(View { frame, surfaces, sequence: Some(sequence) })
+            }
+            (Shown::Rows(rows), None) => {
+                let frame = rows.frame().map_err(|error| self.error(name, error))?;
+                Ok(View { frame, surfaces: vec![], sequence: None })
+            }
+            (Shown::Rows(_), Some(_)) => Err(self.error(name, PictureError::OwnSize)),
+        }
+    }
+
+    fn error(&self, name: &str, error: PictureError) -> SceneError {
+        match (&self.camera, &error) {
             (Some((source, at)), error)
                 if !matches!(error, PictureError::Size(..) | PictureError::OwnSize) =>
             {
                 source.error(at.clone(), error.to_string(), error.help())
             }
             _ => SceneError::picture(name, error),
-        })
-    }
-
-    /// The surfaces that objects represent, one for each material; `None` where the surface is
-    /// unknown, as for spans that the file gives directly.
-    pub fn surfaces(&self) -> Vec<Option<Surface>> {
-        match &self.shown {
-            Shown::Objects(scene) => scene.surfaces(),
-            Shown::Rows(_) => vec![],
         }
     }
+}
+
+/// The scene in a picture of another size, if one is given.
+fn sized(scene: &Scene, size: Option<(u32, u32)>) -> Scene {
+    Scene { size: size.unwrap_or(scene.size), ..scene.clone() }
+}
+
+/// What a scene shows: a frame, which is the first one where it moves.
+pub(crate) struct View {
+    pub frame: Frame,
+    /// The surfaces that objects represent, one for each material; `None` where the surface is
+    /// unknown. Empty for spans that the file gives directly.
+    pub surfaces: Vec<Option<Surface>>,
+    /// All frames, if the scene moves.
+    pub sequence: Option<Sequence>,
 }

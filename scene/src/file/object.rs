@@ -56,7 +56,7 @@ fn object(
     let (place, material) =
         (place(source, raw.get_ref())?, material(source, &raw.get_ref().material)?);
     let (mesh, primitive) = shape(source, raw, folder, warnings)?;
-    Ok(Object { mesh, primitive, place, material })
+    Ok(Object { mesh: mesh.into(), primitive, place, material })
 }
 
 /// The object's mesh, and the primitive that it was made from, if any.

@@ -2,7 +2,7 @@
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::values::{Integer, Number, Triple, Vector};
+use super::values::{Integer, Number, OneOrMore, Triple, Vector};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -17,7 +17,29 @@ pub(super) struct File {
     pub object: Vec<Spanned<Object>>,
     #[serde(default)]
     pub span: Vec<Spanned<Span>>,
+    pub sequence: Option<Spanned<Sequence>>,
     pub core: Option<Spanned<toml::Table>>,
+}
+
+#[derive(Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Sequence {
+    pub frames: Spanned<Integer>,
+    #[serde(default)]
+    pub motion: Vec<Spanned<Motion>>,
+}
+
+#[derive(Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Motion {
+    pub of: Spanned<String>,
+    pub turn: Option<Spanned<OneOrMore<Number>>>,
+    pub orbit: Option<Spanned<OneOrMore<Number>>>,
+    pub translate: Option<Spanned<OneOrMore<Vector>>>,
+    pub axis: Option<Spanned<Vector>>,
+    pub centre: Option<Spanned<Vector>>,
+    pub at: Option<Spanned<Vec<Integer>>>,
+    pub steps: Option<Spanned<String>>,
 }
 
 #[derive(Deserialize)]

@@ -1,4 +1,6 @@
 //! Faces of whole meshes.
+use std::sync::Arc;
+
 use glam::{DAffine3, DMat3, DVec3};
 
 use super::project::{TriangleId, ViewedObject};
@@ -22,7 +24,7 @@ pub struct ConedFace {
 /// The triangles of a whole mesh that have an area, with the cones of their vertices.
 pub fn coned_faces(mesh: &Mesh) -> Vec<ConedFace> {
     let object = Object {
-        mesh: mesh.clone(),
+        mesh: Arc::new(mesh.clone()),
         primitive: None,
         place: DAffine3::IDENTITY,
         material: defaults::material(),

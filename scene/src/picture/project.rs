@@ -94,6 +94,18 @@ impl Scene {
         })
     }
 
+    /// The smallest and largest coordinates of all objects in view space.
+    ///
+    /// # Errors
+    /// [`PictureError::Up`] if the camera is invalid, [`PictureError::NothingVisible`] without
+    /// objects.
+    pub fn extent(&self) -> Result<[DVec3; 2], PictureError> {
+        let rotation = self.camera.rotation().ok_or(PictureError::Up)?;
+        let seen: Vec<ViewedObject<'_>> =
+            self.objects.iter().map(|object| ViewedObject::new(object, rotation)).collect();
+        bounds(&seen).ok_or(PictureError::NothingVisible)
+    }
+
     /// The visible triangles and their spans, with the window that shows them.
     ///
     /// If a camera that frames the objects itself shows none, since they lie between the middles of

@@ -1,4 +1,6 @@
 //! Objects in the world, and what lights them.
+use std::sync::Arc;
+
 use glam::{DAffine3, DVec3};
 
 use super::camera::Camera;
@@ -9,8 +11,8 @@ use crate::{Attenuation, Colour, Material};
 /// A mesh at a place in the world.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Object {
-    /// Its shape, in its own coordinates.
-    pub mesh: Mesh,
+    /// Its shape, in its own coordinates; frames of a sequence share it.
+    pub mesh: Arc<Mesh>,
     /// The primitive that the mesh was made from, if any.
     pub primitive: Option<Primitive>,
     /// The transformation from its own coordinates to the world's.

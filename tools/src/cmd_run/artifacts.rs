@@ -2,6 +2,7 @@
 use std::fs;
 use std::io;
 
+use specula_drawing as drawing;
 use specula_spec::SpecFile;
 use specula_testbench::Image;
 
@@ -9,6 +10,9 @@ use crate::error::ToolError;
 use crate::output::{MARKDOWN, REPORT, Staging};
 use crate::report::{self, ERROR, EXACT, EXPECTED, Report, SIMULATED};
 use crate::run::Run;
+use crate::sequence::{
+    ANIMATION, PLOT, TABLE, picture_name, plot, table, write_animation,
+};
 use crate::trace_file::TraceFormat;
 use crate::{html, picture, verilog, waveform, worst_pixel};
 
@@ -36,7 +40,7 @@ impl Artifact {
 /// Every file that a run with this module can have, in the order in which people want to see them
 /// and in which they are written: the page embeds pictures that precede it, and `report.json` makes
 /// the folder complete.
-pub fn artifacts(module: &str) -> [Artifact; 13] {
+pub fn artifacts(module: &str) -> [Artifact; 16] {
     let always = |name: &str, write| Artifact { name: name.to_owned(), is_of: |_| true, write };
     [
         always(&verilog::file_name(module), write_verilog),
@@ -62,6 +66,16 @@ pub fn artifacts(module: &str) -> [Artifact; 13] {
             worst_pixel::write(report.run, staging, name)
         })
         .optional(|run| run.window.is_some() && run.clock_to_look_at().is_some()),
+        always(ANIMATION, |report, staging, name| {
+            let frames = report.sequence.map_or(0, |sequence| sequence.frames);
+            Ok(write_animation(staging, name, frames).map_err(staging.failed(name))?)
+        })
+        .optional(|run| run.sequence.is_some()),
+        always(PLOT, write_plot).optional(|run| run.sequence.is_some()),
+        always(TABLE, |report, staging, name| {
+            text(&report.sequence.map(table).unwrap_or_default(), staging, name)
+        })
+        .optional(|run| run.sequence.is_some()),
         always(SpecFile::NAME, |report, staging, name| {
             text(&report.run.job.file.text(), staging, name)
         }),
@@ -71,9 +85,17 @@ pub fn artifacts(module: &str) -> [Artifact; 13] {
     ]
 }
 
-/// The names of all files.
-pub fn names(module: &str) -> Vec<String> {
-    artifacts(module).map(|artifact| artifact.name).into()
+/// The names of all files of a run over so many frames; 0 of a scene that does not move.
+pub fn names(module: &str, frames: u32) -> Vec<String> {
+    let pictures = (0..frames).map(picture_name);
+    artifacts(module).into_iter().map(|artifact| artifact.name).chain(pictures).collect()
+}
+
+fn write_plot(report: &Report, staging: &Staging, name: &str) -> Result<(), ToolError> {
+    let Some(sequence) = report.sequence else { return Ok(()) };
+    let bound = report.run.bench.design.error_bound();
+    let sheet = plot(sequence, report.scene, bound).render()?;
+    text(&drawing::svg(&sheet), staging, name)
 }
 
 fn write_verilog(report: &Report, staging: &Staging, name: &str) -> Result<(), ToolError> {

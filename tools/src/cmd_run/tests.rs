@@ -42,9 +42,10 @@ fn spoilt_run(
     let clock = spoil(&mut outcome);
     let run = run_of(&arguments, &job, &bench, None, (&outcome, None));
     let destination =
-        Destination::check(folder, &artifacts::names(&run.module), &Interrupts::default())
+        Destination::check(folder, &artifacts::names(&run.module, 0), &Interrupts::default())
             .expect("the folder can be written");
-    write(&arguments, Instant::now(), &destination, &run).expect("files can be written");
+    let staging = destination.stage().expect("the folder can be written");
+    write(&arguments, Instant::now(), (&destination, staging), &run).expect("files can be written");
     (clock, verdict(run.disagreement.as_ref()))
 }
 

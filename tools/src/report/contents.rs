@@ -14,6 +14,7 @@ use crate::made_for::{MadeFor, Prediction};
 use crate::output::PROGRAM;
 use crate::ports::{Port, ports};
 use crate::run::Run;
+use crate::sequence::ShadedSequence;
 use crate::stream_top::StreamOutcome;
 use crate::verilog::bound;
 
@@ -52,6 +53,9 @@ pub struct Report<'a> {
     pub stalls: Option<u32>,
     /// What came of the core's stream top; `None` if the core was simulated alone.
     pub stream: Option<&'a StreamOutcome>,
+    /// All frames, if the scene moves; everything else is about the one that is shown.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sequence: Option<&'a ShadedSequence>,
     pub cycles: u64,
     pub latency: u32,
     pub cycles_per_pixel: f64,
@@ -177,6 +181,7 @@ impl<'a> Report<'a> {
                 .map(broken_bound),
             stalls: run.stalls,
             stream: run.stream.as_ref(),
+            sequence: run.sequence.as_ref(),
             cycles: outcome.cycles,
             latency: bench.design.latency(),
             cycles_per_pixel: run.cycles_per_pixel(),

@@ -6,6 +6,7 @@ use super::facts::Fact;
 use super::pictures::{ERROR, EXACT, EXPECTED, SIMULATED};
 use super::{Report, rows, units};
 use crate::ports::Port;
+use crate::sequence::{ANIMATION, PLOT, TABLE};
 use crate::table::markdown as table;
 use crate::verilog::between_frames;
 use crate::{cmd_needs, waveform, worst_pixel};
@@ -17,7 +18,19 @@ pub fn markdown(report: &Report) -> String {
 
 /// The part before the pictures.
 pub fn head(report: &Report) -> String {
-    [title(report), result(report)].join("\n")
+    let sections = [Some(title(report)), Some(result(report)), sequence(report)];
+    sections.into_iter().flatten().collect::<Vec<_>>().join("\n")
+}
+
+/// The section about all frames, if the scene moves.
+fn sequence(report: &Report) -> Option<String> {
+    let sequence = report.sequence?;
+    Some(format!(
+        "## Sequence\n\nOne core shades {}. `{TABLE}` has a line for each, and the pictures from here on are of frame {}.\n\n\
+         ![animation]({ANIMATION})\n\n![errors over time]({PLOT})\n",
+        sequence.in_words(),
+        sequence.shown
+    ))
 }
 
 /// The part after the pictures.
@@ -77,7 +90,7 @@ fn result(report: &Report) -> String {
         ("pixels that differ", report.mismatches.to_string()),
     ];
     let engine = ["engine".to_owned(), report.engine.to_owned()];
-    let rows = subject.map(named).into_iter().chain(rows::speed(report)).chain([engine]);
+    let rows = rows::sequence(report).into_iter().chain(subject.map(named)).chain(rows::speed(report)).chain([engine]);
     let rows = rows.chain(rows::stream(report)).chain(rows::made_for(report));
     let rows = rows.chain(rows::device(report));
     let rows: Vec<[String; 2]> = rows.chain(rows::formats(report)).collect();

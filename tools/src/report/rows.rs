@@ -15,6 +15,20 @@ pub fn speed(report: &Report) -> [[String; 2]; 4] {
     .map(|(name, value)| [name.to_owned(), value])
 }
 
+/// What came of all frames, and the one that the report is about, if the scene moves.
+pub fn sequence(report: &Report) -> Vec<[String; 2]> {
+    let Some(sequence) = report.sequence else { return vec![] };
+    [
+        ("sequence", sequence.in_words()),
+        ("pixels of all frames", sequence.pixels.to_string()),
+        ("mismatches in all frames", sequence.mismatches.to_string()),
+        ("cycles of all frames", sequence.cycles.to_string()),
+        ("frame", sequence.shown_in_words()),
+    ]
+    .map(|(name, value)| [name.to_owned(), value])
+    .into()
+}
+
 /// What came of the stream top, if it was simulated, and random pauses, if there were any.
 pub fn stream(report: &Report) -> impl Iterator<Item = [String; 2]> {
     let pauses = |seed| format!("at random, by seed {seed}");

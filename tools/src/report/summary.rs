@@ -5,6 +5,7 @@ use std::path::Path;
 use specula_testbench::ErrorFigures;
 
 use super::{Report, rows};
+use crate::sequence::picture_name;
 use crate::table;
 
 /// The summary of a run whose files are in `folder`.
@@ -12,7 +13,13 @@ pub fn summary(report: &Report, folder: &Path) -> String {
     let mut text = table::shown(&facts(report));
     // Writing to a String cannot fail.
     let _ = write!(text, "\n{}\nfiles in {}\n", table::shown(&errors(report)), folder.display());
-    report.files.iter().for_each(|file| text.push_str(&format!("  {file}\n")));
+    let frames = report.sequence.map_or(0, |sequence| sequence.frames);
+    let pictures: Vec<String> = (0..frames).map(picture_name).collect();
+    let others = report.files.iter().filter(|file| !pictures.contains(file));
+    others.for_each(|file| text.push_str(&format!("  {file}\n")));
+    if let [first, .., last] = &pictures[..] {
+        text.push_str(&format!("  {first} to {last}\n"));
+    }
     text
 }
 
@@ -24,8 +31,8 @@ fn facts(report: &Report) -> Vec<[String; 2]> {
     let trace = report.trace.map(|[first, end]| format!("cycles {first} to {}", end - 1));
     let none = || "none".to_owned();
     let named = |(name, value): (&str, String)| [name.to_owned(), value];
+    let scene = ("scene", format!("{}, {} x {}", report.scene, report.width, report.height));
     let subject = [
-        ("scene", format!("{}, {} x {}", report.scene, report.width, report.height)),
         ("method", report.method.to_owned()),
         ("engine", report.engine.to_owned()),
         ("pixels", report.pixels.to_string()),
@@ -36,7 +43,8 @@ fn facts(report: &Report) -> Vec<[String; 2]> {
         ("waveform", trace.unwrap_or_else(none)),
         ("time", format!("{wall:.3} s, of which simulation {simulation:.3} s")),
     ];
-    let rows = subject.map(named).into_iter().chain(rows::speed(report)).chain(rest.map(named));
+    let all = [named(scene)].into_iter().chain(rows::sequence(report));
+    let rows = all.chain(subject.map(named)).chain(rows::speed(report)).chain(rest.map(named));
     rows.chain(rows::stream(report))
         .chain(rows::made_for(report))
         .chain(rows::device(report))

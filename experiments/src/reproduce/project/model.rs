@@ -1,6 +1,7 @@
 //! The project's models, each lit from infinity and from a place.
 use std::fmt::Write;
 use std::path::Path;
+use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 use specula_scene::mesh::{Mesh, MeshError};
@@ -77,7 +78,7 @@ impl Model {
             ambient: defaults::AMBIENT,
             lights: vec![Light { source, space, colour: [1.0; 3] }],
             objects: vec![Object {
-                mesh: self.mesh.clone(),
+                mesh: Arc::new(self.mesh.clone()),
                 primitive: None,
                 place: DAffine3::IDENTITY,
                 material: defaults::material(),

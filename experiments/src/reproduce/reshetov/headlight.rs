@@ -140,7 +140,7 @@ pub fn alone(shape: Primitive, size: (u32, u32)) -> Result<Frame, SceneError> {
             colour: [1.0; 3],
         }],
         objects: vec![Object {
-            mesh: shape.mesh(),
+            mesh: shape.mesh().into(),
             primitive: Some(shape),
             place: glam::DAffine3::IDENTITY,
             material: defaults::material(),

@@ -31,7 +31,7 @@ pub fn zigzag(size: (u32, u32)) -> Result<Frame, SceneError> {
             colour: [1.0; 3],
         }],
         objects: vec![Object {
-            mesh: mesh(),
+            mesh: mesh().into(),
             primitive: None,
             place: DAffine3::IDENTITY,
             material: Material {

@@ -1,0 +1,176 @@
+//! Sequences: every frame of a scene that moves, shaded by one core.
+mod animation;
+mod files;
+mod plot;
+
+use rayon::prelude::*;
+use serde::Serialize;
+use specula_datapath::Design;
+use specula_scene::{Sequence, SequenceFrame};
+use specula_testbench::{Bench, EngineKind, Errors, Image, Outcome};
+
+use crate::error::ToolError;
+use crate::job::Job;
+use crate::output::Staging;
+use crate::{picture, progress};
+
+pub use animation::{ANIMATION, write_animation};
+pub use files::{TABLE, table};
+pub use plot::{PLOT, plot};
+
+/// How a sequence's frames are simulated.
+#[derive(Clone, Copy, Debug)]
+pub struct Simulation {
+    /// The engine.
+    pub engine: EngineKind,
+    /// Random bubbles between pixels by this seed, if there are any.
+    pub bubbles: Option<u32>,
+}
+
+/// What came of all frames.
+#[derive(Clone, Debug, Serialize)]
+pub struct ShadedSequence {
+    /// Number of frames.
+    pub frames: u32,
+    /// Pixels of all frames.
+    pub pixels: u64,
+    /// Pixels that are not the model's.
+    pub mismatches: u64,
+    /// Frames in which everything agrees.
+    pub agreeing: usize,
+    /// Clocks of all frames, each from its first pixel's entry to its last one's exit.
+    pub cycles: u64,
+    /// The frame that the rest of a report is about: the first that disagrees, or else the one with
+    /// the largest total error.
+    pub shown: u32,
+    /// Every frame, in the order of time.
+    pub by_frame: Vec<ShadedFrame>,
+}
+
+/// What came of a frame.
+#[derive(Clone, Debug, Serialize)]
+pub struct ShadedFrame {
+    /// Its number, counted from 0.
+    pub frame: u32,
+    /// Spans that were shaded.
+    pub spans: usize,
+    /// Pixels that were shaded.
+    pub pixels: u64,
+    /// Clocks from the first pixel's entry to the last one's exit.
+    pub cycles: u64,
+    /// Whether everything agrees, and no error is above its bound.
+    pub agrees: bool,
+    /// Pixels that are not the model's.
+    pub mismatches: u64,
+    /// Column and row of the pixel with the largest total error; `None` without errors.
+    pub worst_pixel: Option<[u32; 2]>,
+    /// Its errors.
+    pub error: Errors,
+}
+
+/// Frames that are shaded before their pictures are written, for each thread.
+const BATCH: usize = 4;
+
+/// The name of a frame's picture.
+pub fn picture_name(frame: u32) -> String {
+    format!("frame_{frame:04}.png")
+}
+
+/// Shades every frame with one core, frames side by side, and writes the picture of each as soon as
+/// it is there, so that memory does not grow with their number.
+///
+/// # Errors
+/// [`ToolError`] if a frame cannot be drawn or simulated, or its picture cannot be written.
+pub fn shade(
+    (job, sequence): (&Job, &Sequence),
+    design: &Design,
+    simulation: Simulation,
+    staging: &Staging,
+) -> Result<ShadedSequence, ToolError> {
+    let bar = progress::frames(sequence.frames());
+    let batch = BATCH * rayon::current_num_threads();
+    let numbers: Vec<u32> = (0..sequence.frames()).collect();
+    let mut by_frame = Vec::with_capacity(numbers.len());
+    for numbers in numbers.chunks(batch) {
+        let one = |&number: &u32| shade_frame(job, design, simulation, number, sequence.frame(number)?);
+        let shaded: Result<Vec<(ShadedFrame, Image)>, ToolError> =
+            numbers.par_iter().map(|number| one(number).inspect(|_| bar.inc(1))).collect();
+        for (frame, image) in shaded? {
+            let name = picture_name(frame.frame);
+            let written = picture::write_image(&staging.file(&name), &image);
+            written.map_err(staging.failed(&name))?;
+            by_frame.push(frame);
+        }
+    }
+    bar.finish_and_clear();
+    Ok(ShadedSequence::of(by_frame))
+}
+
+fn shade_frame(
+    job: &Job,
+    design: &Design,
+    simulation: Simulation,
+    number: u32,
+    SequenceFrame { frame, .. }: SequenceFrame,
+) -> Result<(ShadedFrame, Image), ToolError> {
+    let bench = Bench::of_design(&frame, job.spec(), design.clone());
+    let bench = match simulation.bubbles {
+        None => bench,
+        Some(seed) => bench.with_bubbles(seed.into()),
+    };
+    let outcome = bench.run(simulation.engine, &mut |_, _| ())?;
+    Ok((ShadedFrame::of(number, frame.spans.len(), &outcome), outcome.simulated))
+}
+
+impl ShadedFrame {
+    fn of(frame: u32, spans: usize, outcome: &Outcome) -> ShadedFrame {
+        ShadedFrame {
+            frame,
+            spans,
+            pixels: outcome.pixels,
+            cycles: outcome.cycles,
+            agrees: outcome.agrees(),
+            mismatches: outcome.comparison.mismatches,
+            worst_pixel: outcome.comparison.worst_pixel.map(|worst| [worst.x, worst.y]),
+            error: outcome.comparison.errors.clone(),
+        }
+    }
+}
+
+impl ShadedSequence {
+    fn of(by_frame: Vec<ShadedFrame>) -> ShadedSequence {
+        let error = |frame: &&ShadedFrame| frame.error.total.max_lsb;
+        let disagrees = by_frame.iter().find(|frame| !frame.agrees);
+        // Of equally large errors the first one counts.
+        let worst = by_frame.iter().rev().max_by(|a, b| error(a).total_cmp(&error(b)));
+        ShadedSequence {
+            frames: by_frame.len() as u32,
+            pixels: by_frame.iter().map(|frame| frame.pixels).sum(),
+            mismatches: by_frame.iter().map(|frame| frame.mismatches).sum(),
+            agreeing: by_frame.iter().filter(|frame| frame.agrees).count(),
+            cycles: by_frame.iter().map(|frame| frame.cycles).sum(),
+            shown: disagrees.or(worst).map_or(0, |frame| frame.frame),
+            by_frame,
+        }
+    }
+
+    /// What came of it, as text.
+    pub fn in_words(&self) -> String {
+        let last = self.frames.saturating_sub(1);
+        let agreeing = match self.frames as usize - self.agreeing {
+            0 => "all agree".to_owned(),
+            wrong => format!("{wrong} do not agree"),
+        };
+        format!("{} frames, 0 to {last}: {agreeing}", self.frames)
+    }
+
+    /// The frame that a report is about, as text.
+    pub fn shown_in_words(&self) -> String {
+        let why = if self.agreeing == self.frames as usize {
+            "the one with the largest error"
+        } else {
+            "the first that does not agree"
+        };
+        format!("{}, {why}; what follows is about it", self.shown)
+    }
+}
