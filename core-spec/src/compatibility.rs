@@ -43,6 +43,12 @@ impl CoreSpec {
         Ok(FittedCore { frame, spec: CoreSpec { parameters, ..self.clone() } })
     }
 
+    /// The same core, of which is said too what is said of another one with the same hardware.
+    pub fn with_bounds_of(self, other: &CoreSpec) -> CoreSpec {
+        let parameters = self.parameters.with_bounds_of(&other.parameters);
+        CoreSpec { parameters, ..self }
+    }
+
     /// Lights that become weaker with distance, where pixels have to know.
     fn check_attenuation(&self, needs: &Needs) -> Result<(), SpecError> {
         let own = self.parameters.attenuation.iter().flat_map(|attenuation| &attenuation.lights);
@@ -131,6 +137,19 @@ impl CoreParameters {
             shortest_halfway: self.shortest_halfway.min(needs.shortest_halfway),
             least_cone_cosine: self.least_cone_cosine.min(needs.least_cone_cosine),
             least_view_cosine: self.least_view_cosine.min(view_cosine),
+            ..self
+        }
+    }
+
+    /// The same hardware, of which is said too what is said of another.
+    fn with_bounds_of(self, other: &CoreParameters) -> CoreParameters {
+        CoreParameters {
+            shortest_normal: self.shortest_normal.min(other.shortest_normal),
+            shortest_way: self.shortest_way.min(other.shortest_way),
+            shortest_unit_way: self.shortest_unit_way.min(other.shortest_unit_way),
+            shortest_halfway: self.shortest_halfway.min(other.shortest_halfway),
+            least_cone_cosine: self.least_cone_cosine.min(other.least_cone_cosine),
+            least_view_cosine: self.least_view_cosine.min(other.least_view_cosine),
             ..self
         }
     }

@@ -1,5 +1,7 @@
 //! The core for a loaded scene.
-use specula_scene::{CoreTable, LoadedScene, Needs, SceneError};
+use std::borrow::Cow;
+
+use specula_scene::{CoreTable, Frame, LoadedScene, Needs, SceneError};
 
 use crate::core_spec::CoreSpec;
 use crate::error::SpecError;
@@ -7,6 +9,8 @@ use crate::lyon::Normals;
 use crate::method::{Method, MethodSpec};
 use crate::options::{CoreOptions, Specialise, UnnamedFormats};
 use crate::phong::{PhongSpec, Places};
+#[cfg(doc)]
+use crate::survey::Survey;
 
 /// Why there is no core for a scene.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
@@ -37,6 +41,13 @@ pub trait SceneCore {
     /// # Errors
     /// As [`SceneCore::core_spec`].
     fn core_for(&self, needs: &Needs, method: Option<Method>) -> Result<CoreSpec, CoreError>;
+
+    /// Frames that stand for all that a core is to shade, as far as it depends on them what its
+    /// inputs are given: the scene's frame, or the witnesses of its sequence ([`Survey`]).
+    ///
+    /// # Errors
+    /// [`SceneError::Picture`] if a frame of the sequence cannot be drawn.
+    fn deciding_frames(&self, core: &CoreSpec) -> Result<Cow<'_, [Frame]>, SceneError>;
 
     /// The narrowing points of `method` whose formats the scene file's `[core]` table names.
     ///
@@ -82,6 +93,13 @@ impl SceneCore for LoadedScene {
         Ok(match specialise(self)? {
             Specialise::General => spec,
             Specialise::Scene => without_interpolation(spec, needs, options.as_ref()),
+        })
+    }
+
+    fn deciding_frames(&self, core: &CoreSpec) -> Result<Cow<'_, [Frame]>, SceneError> {
+        Ok(match &self.sequence {
+            None => Cow::Borrowed(std::slice::from_ref(&self.frame)),
+            Some(sequence) => Cow::Owned(core.survey(sequence)?.witnesses),
         })
     }
 

@@ -1,8 +1,7 @@
 //! The origin of a core's error bound: the share of it that each narrowing point contributes.
 use rayon::prelude::*;
 use serde::Serialize;
-use specula_scene::Frame;
-use specula_spec::{CoreSpec, Format, NarrowingPoint};
+use specula_spec::{CoreSpec, Format, Frames, NarrowingPoint};
 
 /// Numbers of added fraction bits with which a rounding contributes next to nothing; the smaller
 /// ones are for formats that may not have so many.
@@ -20,17 +19,22 @@ pub struct BoundShare {
 }
 
 /// The shares of a core's bound of `bound` LSBs, the largest first; for a core that is specialised
-/// for `frame`, those of the bound for that frame.
+/// for some frames, those of the bound for these.
 ///
 /// They do not add up to the bound: half an LSB of it is the rounding to 8 bits, and errors of
 /// several narrowing points can meet in one product. A narrowing point that may not be finer has no
 /// share.
-pub fn bound_shares(spec: &CoreSpec, frame: &Frame, bound: f64) -> Vec<BoundShare> {
+pub fn bound_shares<'a>(
+    spec: &CoreSpec,
+    frames: impl Into<Frames<'a>>,
+    bound: f64,
+) -> Vec<BoundShare> {
+    let frames = frames.into();
     // Spans are set up once: few narrowing points change the values of inputs.
-    let special = (!spec.specialisation.is_general()).then(|| spec.specialised(frame));
+    let special = (!spec.specialisation.is_general()).then(|| spec.specialised(frames));
     let share = |point: NarrowingPoint| {
         let finer = finer(spec, &point, |finer| match &special {
-            Some(special) => finer.specialised_as(special, frame),
+            Some(special) => finer.specialised_as(special, frames),
             None => finer,
         });
         let finer = finer.unwrap_or(bound);

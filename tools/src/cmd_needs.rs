@@ -61,7 +61,7 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
         ..CoreArguments::default()
     };
     let spec = wanted.core(&scene)?.spec;
-    let (needs, savings) = (Needs::of(&scene.frame), measured(&scene, &spec, arguments.synthesis)?);
+    let (needs, savings) = (scene.needs()?, measured(&scene, &spec, arguments.synthesis)?);
     let report = Report {
         scene: &scene.name,
         method: spec.method().name(),

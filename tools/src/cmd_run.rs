@@ -10,6 +10,7 @@ use clap::Args;
 use specula_datapath::Design;
 use specula_experiments::tradeoff::predicted_mhz;
 use specula_experiments::{ablation, bound_shares};
+use specula_spec::SceneCore;
 use specula_testbench::trace::Choice;
 use specula_testbench::{Bench, BenchError, EngineKind, Outcome};
 
@@ -113,7 +114,7 @@ pub fn execute(
         .map(|streamed| streamed.outcome(&job, &bench, &outcome, arguments.engine))
         .transpose()?;
 
-    let run = Run { sequence, ..run_of(arguments, &job, &bench, fitted, (&outcome, stream)) };
+    let run = Run { sequence, ..run_of(arguments, &job, &bench, fitted, (&outcome, stream))? };
     let text = write(arguments, begin, (&destination, staging), &run)?;
     write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
     Ok(verdict(run.disagreement.as_ref()))
@@ -172,11 +173,12 @@ fn run_of<'a>(
     bench: &'a Bench<'a>,
     fitted: Option<Fitted>,
     (outcome, stream): (&'a Outcome, Option<StreamOutcome>),
-) -> Run<'a> {
+) -> Result<Run<'a>, ToolError> {
     let is_general = bench.spec.specialisation.is_general();
     let disagreement = Disagreement::of(outcome, bench, stream.as_ref());
     let trace = waveform::choice(&arguments.trace, disagreement.as_ref());
-    Run {
+    let frames = job.scene.deciding_frames(bench.spec)?;
+    Ok(Run {
         job,
         module: job.module(),
         bench,
@@ -185,7 +187,7 @@ fn run_of<'a>(
         disagreement,
         clock: arguments.clock(bench),
         fitted,
-        bound_shares: bound_shares(bench.spec, bench.frame, bench.design.error_bound()),
+        bound_shares: bound_shares(bench.spec, &frames[..], bench.design.error_bound()),
         savings: if is_general { None } else { ablation(&job.scene, bench.spec, None).ok() },
         outcome,
         stalls: arguments.stalls,
@@ -193,7 +195,7 @@ fn run_of<'a>(
         stream,
         window: bench.window(&trace, outcome),
         trace,
-    }
+    })
 }
 
 /// Writes all files and returns what is to be printed.

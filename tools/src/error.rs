@@ -54,7 +54,9 @@ pub enum ToolError {
     #[diagnostic(transparent)]
     NotFound(#[from] NotFound),
     /// An error is to be measured on a scene of which no single frame stands for all.
-    #[error("formats cannot be chosen by errors that are measured, as the scene has several frames")]
+    #[error(
+        "formats cannot be chosen by errors that are measured, as the scene has several frames"
+    )]
     #[diagnostic(
         code(specula::sequence::measured),
         help("ask for a proven error with `--bound`: it holds for every frame")

@@ -56,11 +56,23 @@ impl Job {
         core: &Path,
     ) -> Result<Job, ToolError> {
         let loaded = scene.load()?;
-        let fitted = file.spec.fit_to(&loaded.frame).map_err(|error| {
-            let (core, scene) = (core.to_owned(), loaded.name.clone());
-            ToolError::Refused(Refused { core, scene, error })
-        });
+        let refused = |scene: String| {
+            let core = core.to_owned();
+            move |error| ToolError::Refused(Refused { core, scene, error })
+        };
+        let fitted = file.spec.fit_to(&loaded.frame).map_err(refused(loaded.name.clone()));
         let FittedCore { frame, spec } = fitted?;
+        let spec = match &loaded.sequence {
+            None => spec,
+            Some(sequence) => {
+                let fitted = sequence.map(|number, frame| {
+                    let name = format!("{}, frame {number}", loaded.name);
+                    let fitted = file.spec.fit_to(&frame.frame).map_err(refused(name))?;
+                    Ok::<_, ToolError>(fitted.spec)
+                })?;
+                fitted.iter().fold(spec, CoreSpec::with_bounds_of)
+            }
+        };
         let (scene, file) = (LoadedScene { frame, ..loaded }, SpecFile { spec, ..file });
         Ok(Job { scene, file, origin, not_faithful: None })
     }

@@ -17,6 +17,7 @@ use specula_scene::LoadedScene;
 use specula_spec::CoreSpec;
 use specula_testbench::BenchError;
 
+use crate::formats::SequenceError;
 use core::Ablation;
 use general::General;
 use size_delta::Built;
@@ -71,13 +72,13 @@ pub struct AgainstGeneral {
 ///
 /// # Errors
 /// [`BenchError::TooWide`] if the core has a signal that is too wide, [`BenchError::Simulation`] if
-/// it cannot be synthesised.
+/// it cannot be synthesised; the scene's if a frame of its sequence cannot be drawn.
 pub fn ablation(
     scene: &LoadedScene,
     spec: &CoreSpec,
     synthesis: Option<Synthesis>,
-) -> Result<Savings, BenchError> {
-    let special = specula_hdl::elaborate(spec, "core")?;
+) -> Result<Savings, SequenceError> {
+    let special = specula_hdl::elaborate(spec, "core").map_err(BenchError::from)?;
     let (premise_ablations, input_ablations) =
         rayon::join(|| needs::premise_ablations(scene, spec), || inputs::input_ablations(spec));
     let (premise_ablations, generals) = premise_ablations?;

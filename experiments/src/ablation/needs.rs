@@ -1,34 +1,41 @@
 //! Ablations of premises: the core elaborated without one known premise.
+use std::borrow::Cow;
+
 use rayon::prelude::*;
 use specula_datapath::builder::BuildError;
-use specula_scene::{LoadedScene, Needs};
+use specula_scene::{Frame, LoadedScene, Needs, SceneError};
 use specula_spec::{CoreError, CoreSpec, InputPort, SceneCore};
+use specula_testbench::BenchError;
 
 use super::core::Ablation;
 use super::general::{Baseline, General};
 use super::premise::{PREMISES, Premise};
+use crate::formats::SequenceError;
 
 /// The ablations of those premises without which the core differs and can be built, and the general
 /// cores.
 ///
 /// # Errors
-/// [`BuildError`] if the scene's own general core cannot be built.
+/// [`SequenceError`] if the scene's own general core cannot be built, or a frame of its sequence
+/// cannot be drawn.
 pub fn premise_ablations(
     scene: &LoadedScene,
     spec: &CoreSpec,
-) -> Result<(Vec<Ablation>, Vec<General>), BuildError> {
-    let chosen = Chosen::new(scene, spec);
+) -> Result<(Vec<Ablation>, Vec<General>), SequenceError> {
+    let chosen = Chosen::new(scene, spec)?;
     let one = || PREMISES.par_iter().filter_map(|premise| chosen.ablation(premise)).collect();
     let general = || {
         Baseline::ALL.par_iter().map(|&baseline| chosen.general(baseline)).collect::<Result<_, _>>()
     };
     let (needs, generals) = rayon::join(one, general);
-    Ok((needs, generals?))
+    Ok((needs, generals.map_err(BenchError::from)?))
 }
 
 /// A core, and how it was chosen.
 struct Chosen<'a> {
     scene: &'a LoadedScene,
+    /// Frames that stand for all that the scene has.
+    frames: Cow<'a, [Frame]>,
     spec: &'a CoreSpec,
     /// The core for the scene alone.
     special: CoreSpec,
@@ -38,10 +45,12 @@ struct Chosen<'a> {
 }
 
 impl Chosen<'_> {
-    fn new<'a>(scene: &'a LoadedScene, spec: &'a CoreSpec) -> Chosen<'a> {
-        let needs = Needs::of(&scene.frame);
+    fn new<'a>(scene: &'a LoadedScene, spec: &'a CoreSpec) -> Result<Chosen<'a>, SceneError> {
+        let needs = scene.needs()?;
         let general = scene.core_for(&needs, Some(spec.method()));
-        Chosen { scene, spec, special: spec.specialised(&scene.frame), needs, general }
+        let frames = scene.deciding_frames(spec)?;
+        let special = spec.specialised(&frames[..]);
+        Ok(Chosen { scene, frames, spec, special, needs, general })
     }
 
     fn ablation(&self, premise: &Premise) -> Option<Ablation> {
@@ -91,7 +100,7 @@ impl Chosen<'_> {
             )
         };
         if places(&core) == places(self.spec) {
-            return core.specialised_as(&self.special, &self.scene.frame);
+            return core.specialised_as(&self.special, &self.frames[..]);
         }
         let (own, theirs) = (core.inputs(), self.spec.general().inputs());
         let port =

@@ -4,9 +4,9 @@ use toml::Spanned;
 
 use super::values::{Integer, Number, OneOrMore, Vector};
 use super::{SourceFile, check, raw};
+use crate::SceneError;
 use crate::picture::{Light, LightSource, Scene};
 use crate::sequence::{Change, Keys, MOST_FRAMES, Motion, Steps, Subject};
-use crate::SceneError;
 
 /// How many frames a sequence has, and its motions.
 #[derive(Clone)]
@@ -60,8 +60,10 @@ impl MotionReader<'_> {
             ["object", number] => Ok(vec![Subject::Object(self.index(number, "object", objects)?)]),
             ["light", number] => Ok(vec![Subject::Light(self.index(number, "light", lights)?)]),
             _ => {
-                let problem = format!("there is nothing called \"{}\" that could move", of.get_ref());
-                let help = "`of` is \"camera\", \"objects\", \"object 1\", \"lights\" or \"light 1\"";
+                let problem =
+                    format!("there is nothing called \"{}\" that could move", of.get_ref());
+                let help =
+                    "`of` is \"camera\", \"objects\", \"object 1\", \"lights\" or \"light 1\"";
                 Err(self.source.error(of.span(), problem, help))
             }
         }
@@ -72,7 +74,8 @@ impl MotionReader<'_> {
         let index = number.parse::<usize>().ok().and_then(|number| number.checked_sub(1));
         index.filter(|&index| index < count).ok_or_else(|| {
             let problem = format!("there is no {kind} {number}");
-            let help = format!("the scene has {kind} 1 to {count}, counted in the order of the file");
+            let help =
+                format!("the scene has {kind} 1 to {count}, counted in the order of the file");
             self.source.error(self.given.get_ref().of.span(), problem, help)
         })
     }
@@ -93,9 +96,9 @@ impl MotionReader<'_> {
                     .map(|centre| check::vector(self.source, "centre", centre))
                     .transpose()?,
             },
-            (None, None, Some(way)) => Change::Translate {
-                way: self.keys("translate", way.span(), self.ways(way)?)?,
-            },
+            (None, None, Some(way)) => {
+                Change::Translate { way: self.keys("translate", way.span(), self.ways(way)?)? }
+            }
             _ => {
                 let problem = "a motion is one of `turn`, `orbit` and `translate`";
                 let help = "give one of them in each `[[sequence.motion]]`: a thing may have several motions";
@@ -109,7 +112,8 @@ impl MotionReader<'_> {
     /// Keys that this kind of change has no use for.
     fn no_strangers(&self, change: &Change) -> Result<(), SceneError> {
         let raw = self.given.get_ref();
-        let (axis, centre) = (raw.axis.as_ref().map(Spanned::span), raw.centre.as_ref().map(Spanned::span));
+        let (axis, centre) =
+            (raw.axis.as_ref().map(Spanned::span), raw.centre.as_ref().map(Spanned::span));
         let stranger = match change {
             Change::Orbit { .. } => None,
             Change::Turn { .. } => centre.map(|at| ("centre", at)),
@@ -129,7 +133,11 @@ impl MotionReader<'_> {
         Ok((axis / axis.abs().max_element()).normalize())
     }
 
-    fn degrees(&self, name: &str, given: &Spanned<OneOrMore<Number>>) -> Result<Vec<f64>, SceneError> {
+    fn degrees(
+        &self,
+        name: &str,
+        given: &Spanned<OneOrMore<Number>>,
+    ) -> Result<Vec<f64>, SceneError> {
         let check = |number: &Number| {
             check::number(self.source, name, &Spanned::new(given.span(), *number))
         };
@@ -174,22 +182,30 @@ impl MotionReader<'_> {
         };
         Keys::new(keys, steps.unwrap_or_default()).ok_or_else(|| {
             let at = self.given.get_ref().at.as_ref().map_or(at, Spanned::span);
-            self.source.error(at, "key frames do not ascend", "`at` is a list of frames, the earliest first")
+            self.source.error(
+                at,
+                "key frames do not ascend",
+                "`at` is a list of frames, the earliest first",
+            )
         })
     }
 
     /// Whether a change makes sense for a subject.
     fn check(&self, subject: Subject, change: &Change) -> Result<(), SceneError> {
-        let wrong = |problem: &str, help: &str| Err(self.source.error(self.given.span(), problem, help));
+        let wrong =
+            |problem: &str, help: &str| Err(self.source.error(self.given.span(), problem, help));
         match (subject, change) {
-            (Subject::Camera, Change::Translate { .. }) if self.scene.camera.target.is_none() => wrong(
-                "the camera frames the objects by itself and cannot be moved",
-                "give the camera a `target`",
-            ),
+            (Subject::Camera, Change::Translate { .. }) if self.scene.camera.target.is_none() => {
+                wrong(
+                    "the camera frames the objects by itself and cannot be moved",
+                    "give the camera a `target`",
+                )
+            }
             (Subject::Light(index), change) => match (&self.scene.lights[index], change) {
-                (Light { source: LightSource::Directional { .. }, .. }, Change::Translate { .. }) => {
-                    wrong("a directional light is at infinity and cannot be shifted", "`turn` it")
-                }
+                (
+                    Light { source: LightSource::Directional { .. }, .. },
+                    Change::Translate { .. },
+                ) => wrong("a directional light is at infinity and cannot be shifted", "`turn` it"),
                 (Light { source: LightSource::Point { .. }, .. }, Change::Turn { .. }) => wrong(
                     "a point light shines in all directions alike, so that turning it changes nothing",
                     "let it `orbit` a `centre`, or `translate` it",

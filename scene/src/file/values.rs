@@ -124,8 +124,8 @@ impl<'de> Visitor<'de> for VectorsVisitor {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut parts: A) -> Result<Vec<Vector>, A::Error> {
-        let parts: Vec<Part> =
-            std::iter::from_fn(|| parts.next_element::<Part>().transpose()).collect::<Result<_, _>>()?;
+        let parts: Vec<Part> = std::iter::from_fn(|| parts.next_element::<Part>().transpose())
+            .collect::<Result<_, _>>()?;
         let numbers: Option<Vec<f64>> = parts.iter().map(Part::number).collect();
         match numbers.as_deref() {
             Some(&[x, y, z]) => Ok(vec![Vector([x, y, z])]),

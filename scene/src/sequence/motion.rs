@@ -64,7 +64,7 @@ impl Motion {
             }
             Subject::Object(index) => {
                 if let Some(object) = scene.objects.get_mut(index) {
-                    let own = DVec3::from(object.place.translation);
+                    let own = object.place.translation;
                     move_object(object, self.change.at(frame, Pivot { own, orbit: DVec3::ZERO }));
                 }
             }

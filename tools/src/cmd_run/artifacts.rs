@@ -10,9 +10,7 @@ use crate::error::ToolError;
 use crate::output::{MARKDOWN, REPORT, Staging};
 use crate::report::{self, ERROR, EXACT, EXPECTED, Report, SIMULATED};
 use crate::run::Run;
-use crate::sequence::{
-    ANIMATION, PLOT, TABLE, picture_name, plot, table, write_animation,
-};
+use crate::sequence::{ANIMATION, PLOT, TABLE, picture_name, plot, table, write_animation};
 use crate::trace_file::TraceFormat;
 use crate::{html, picture, verilog, waveform, worst_pixel};
 

@@ -40,7 +40,8 @@ fn spoilt_run(
     let mut outcome = simulate(&bench, arguments.engine).expect("the engine works");
     assert!(outcome.agrees());
     let clock = spoil(&mut outcome);
-    let run = run_of(&arguments, &job, &bench, None, (&outcome, None));
+    let run =
+        run_of(&arguments, &job, &bench, None, (&outcome, None)).expect("frames can be drawn");
     let destination =
         Destination::check(folder, &artifacts::names(&run.module, 0), &Interrupts::default())
             .expect("the folder can be written");
@@ -110,7 +111,8 @@ fn a_wrong_stream_is_named() {
         streamed.outcome(&job, &bench, &outcome, arguments.engine).expect("it is compared");
     let fault = stream.fault.clone().expect("a pixel differs");
     assert!(fault.in_words.starts_with("pixel 5 of the stream is "), "{fault:?}");
-    let run = run_of(&arguments, &job, &bench, None, (&outcome, Some(stream)));
+    let run = run_of(&arguments, &job, &bench, None, (&outcome, Some(stream)))
+        .expect("frames can be drawn");
     assert_eq!(run.clock_to_look_at(), fault.cycle);
     let disagreement = run.disagreement.as_ref().expect("it disagrees");
     assert_eq!(disagreement.lines(), [fault.in_words]);

@@ -36,11 +36,7 @@ pub fn write_animation(staging: &Staging, name: &str, frames: u32) -> io::Result
     writer.finish().map_err(io_error)
 }
 
-fn header<W: Write>(
-    file: W,
-    first: &RgbImage,
-    frames: u32,
-) -> Result<Writer<W>, EncodingError> {
+fn header<W: Write>(file: W, first: &RgbImage, frames: u32) -> Result<Writer<W>, EncodingError> {
     let mut encoder = Encoder::new(file, first.width(), first.height());
     encoder.set_color(ColorType::Rgb);
     encoder.set_depth(BitDepth::Eight);
@@ -69,9 +65,10 @@ fn write_change<W: Write>(
 fn changed(before: &RgbImage, next: &RgbImage) -> [u32; 4] {
     let differs = |&(x, y): &(u32, u32)| before.get_pixel(x, y) != next.get_pixel(x, y);
     let all = (0..next.height()).flat_map(|y| (0..next.width()).map(move |x| (x, y)));
-    let bounds = all.filter(differs).map(|(x, y)| [x, y, x, y]).reduce(|a, b| {
-        [a[0].min(b[0]), a[1].min(b[1]), a[2].max(b[2]), a[3].max(b[3])]
-    });
+    let bounds = all
+        .filter(differs)
+        .map(|(x, y)| [x, y, x, y])
+        .reduce(|a, b| [a[0].min(b[0]), a[1].min(b[1]), a[2].max(b[2]), a[3].max(b[3])]);
     let [left, top, right, bottom] = bounds.unwrap_or_default();
     [left, top, right - left + 1, bottom - top + 1]
 }

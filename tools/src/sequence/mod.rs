@@ -92,10 +92,14 @@ pub fn shade(
     let numbers: Vec<u32> = (0..sequence.frames()).collect();
     let mut by_frame = Vec::with_capacity(numbers.len());
     for numbers in numbers.chunks(batch) {
-        let one = |&number: &u32| shade_frame(job, design, simulation, number, sequence.frame(number)?);
-        let shaded: Result<Vec<(ShadedFrame, Image)>, ToolError> =
-            numbers.par_iter().map(|number| one(number).inspect(|_| bar.inc(1))).collect();
-        for (frame, image) in shaded? {
+        let one = |&number: &u32| {
+            let shaded = shade_frame(job, design, simulation, number, sequence.frame(number)?);
+            shaded.inspect(|_| bar.inc(1))
+        };
+        let shaded: Vec<Result<(ShadedFrame, Image), ToolError>> =
+            numbers.par_iter().map(one).collect();
+        for shaded in shaded {
+            let (frame, image) = shaded?;
             let name = picture_name(frame.frame);
             let written = picture::write_image(&staging.file(&name), &image);
             written.map_err(staging.failed(&name))?;
