@@ -1,6 +1,6 @@
 //! Spans that are set up one behind the other, and cores for one frame that need none.
 use specula_fixtures::each_method;
-use specula_scene::{Frame, LoadedScene, Needs, builtin_names, load};
+use specula_scene::{Frame, LoadedScene, Needs, load};
 use specula_spec::{CoreOptions, CoreSpec, Format, Hold, Method, SceneCore, SetUp};
 
 each_method!(spans_are_appended);
@@ -62,7 +62,7 @@ fn a_place_within_the_core_needs_no_set_up(method: Method) {
 /// In every scene, with every option of the method, and in a frame with a span that has no normal.
 /// What does not hold for a frame differs somewhere, or need not.
 fn what_holds_for_a_frame_is_the_same_in_every_span(method: Method) {
-    let mut frames: Vec<Frame> = builtin_names()
+    let mut frames: Vec<Frame> = specula_fixtures::still_scenes()
         .iter()
         .map(|name| load(name, Some((48, 36))).expect("it is built in").frame)
         .collect();

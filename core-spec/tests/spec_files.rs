@@ -1,5 +1,5 @@
 //! Cores as files, and cores for scenes that they were not made for.
-use specula_scene::{Frame, Needs, SceneError, builtin_names, load, parse};
+use specula_scene::{Frame, Needs, SceneError, load, parse};
 use specula_spec::phong::Places;
 use specula_spec::{CoreSpec, Method, MethodSpec, SceneCore, SpecError, SpecFile, TargetClock};
 
@@ -25,7 +25,7 @@ fn refusal(text: &str) -> (String, String) {
 
 #[test]
 fn a_core_is_read_as_it_is_written() {
-    for &name in builtin_names() {
+    for name in specula_fixtures::still_scenes() {
         let loaded = load(name, SIZE).unwrap();
         for spec in Method::ALL.into_iter().filter_map(|method| loaded.core_spec(Some(method)).ok())
         {
@@ -127,7 +127,7 @@ fn a_target_and_its_clock_are_read_or_refused_where_they_are_wrong() {
 
 #[test]
 fn a_core_serves_its_own_scene_as_it_is() {
-    for &scene in builtin_names() {
+    for scene in specula_fixtures::still_scenes() {
         let frame = frame(scene);
         for spec in Method::ALL
             .into_iter()

@@ -10,7 +10,7 @@ fn multiplier_bits(spec: &CoreSpec) -> u64 {
 }
 
 fn simulated_pictures_stay_within_an_lsb_of_their_method(method: Method) {
-    for scene in specula_scene::builtin_names() {
+    for scene in specula_fixtures::still_scenes() {
         let loaded = load(scene, Some((48, 36))).unwrap();
         let start = loaded.core_spec(Some(method)).unwrap();
         let general =

@@ -19,7 +19,7 @@ fn written(page: &str, scene: &str, method: &str) -> String {
 fn measured_errors_stay_within_the_stated_bound() {
     let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/error-bounds.md");
     let page = std::fs::read_to_string(page).unwrap();
-    for scene in specula_scene::builtin_names() {
+    for scene in specula_fixtures::still_scenes() {
         let loaded = load(scene, Some((120, 90))).unwrap();
         for method in Method::ALL {
             let spec = loaded.core_spec(Some(method)).unwrap();

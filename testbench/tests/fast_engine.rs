@@ -63,7 +63,7 @@ fn every_signal_agrees_with_rust_hdl_at_every_clock(method: Method) {
 }
 
 fn whole_frames_agree(method: Method) {
-    for scene in specula_scene::builtin_names() {
+    for scene in specula_fixtures::still_scenes() {
         let loaded = load(scene, Some((640, 480))).unwrap();
         let spec = loaded.core_spec(Some(method)).unwrap();
         let bench = Bench::new(&loaded.frame, &spec, scene).unwrap();

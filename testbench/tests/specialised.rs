@@ -19,7 +19,7 @@ fn sizes(design: &Design) -> [u64; 3] {
 }
 
 fn every_pixel_is_that_of_the_general_core(method: Method) {
-    for scene in specula_scene::builtin_names() {
+    for scene in specula_fixtures::still_scenes() {
         let loaded = load(scene, Some((96, 72))).unwrap();
         let special = loaded.core_spec(Some(method)).unwrap();
         let general = special.general();

@@ -45,6 +45,8 @@ fn description(name: &str) -> &'static str {
         "icosahedron" => {
             "twenty faces with shared normals; ends of spans are up to 63 degrees apart"
         }
+        "turntable" => "the teapot, once around in 72 frames, shaded by one core",
+        "sunrise" => "a torus under a light that rises, crosses it and sets, in 48 frames",
         _ => "",
     }
 }

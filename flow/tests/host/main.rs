@@ -7,13 +7,12 @@ mod vertices;
 
 use cores::{HostedCore, built_in, drawn};
 use specula_fixtures::{Draw, each_method};
-use specula_scene::builtin_names;
 use specula_spec::{Method, Specialise};
 
 /// Every span of every built-in scene, for the core that is made for the scene; of two of them for one
 /// that is made for any, too.
 fn words_are_those_of_rust(method: Method) {
-    let mut cores = built_in(method, builtin_names(), Specialise::Scene);
+    let mut cores = built_in(method, &specula_fixtures::still_scenes(), Specialise::Scene);
     cores.extend(built_in(method, &["teapot", "lamps"], Specialise::General));
     compare(&cores);
 }
@@ -30,7 +29,7 @@ each_method!(words_are_those_of_rust_with_every_option);
 
 /// With float no input is off by more than `NAME.h` says.
 fn floats_are_as_near_as_is_said(method: Method) {
-    let cores = built_in(method, builtin_names(), Specialise::General);
+    let cores = built_in(method, &specula_fixtures::still_scenes(), Specialise::General);
     if !cores.iter().all(HostedCore::has_float) {
         assert!(cores.iter().all(|core| core.text(".h").contains("for double alone")));
         return;

@@ -12,7 +12,7 @@ fn a_scene_is_told_what_it_does_without() {
 #[test]
 fn every_built_in_scene_is_spared_hardware() {
     let place = Place::new();
-    for scene in specula_scene::builtin_names() {
+    for scene in specula_fixtures::still_scenes() {
         let text = place.succeeds(&["needs", scene, "--size", "64x48", "--json"]);
         let report: Value = serde_json::from_str(&text).expect("it prints JSON");
         // Against both general cores, each with a name.
