@@ -93,7 +93,8 @@ fn witnesses_stand_for_all(method: Method, numbers: &[u32]) {
     let Survey { core, witnesses } = spec.survey(sequence).unwrap();
     assert_eq!(core, spec);
     assert_eq!(core.specialised(&witnesses[..]), core);
-    let count = |frames: &[specula_scene::Frame]| frames.iter().map(|f| f.spans.len()).sum::<usize>();
+    let count =
+        |frames: &[specula_scene::Frame]| frames.iter().map(|f| f.spans.len()).sum::<usize>();
     let all: Vec<_> = (0..sequence.frames()).map(|n| sequence.frame(n).unwrap().frame).collect();
     assert_eq!(spec.specialised(&all[..]), core);
     assert!(4 * count(&witnesses) < count(&all), "{} of {}", count(&witnesses), count(&all));

@@ -2,6 +2,7 @@
 pub mod axes;
 mod edges;
 pub mod operations;
+mod places;
 pub mod quality;
 mod vectors;
 
@@ -9,7 +10,7 @@ use super::claim::Claim;
 
 /// All claims, in the paper's order.
 pub(super) fn claims() -> Vec<&'static Claim> {
-    let groups: [&'static [Claim]; 4] =
-        [&operations::CLAIMS, &vectors::CLAIMS, &axes::CLAIMS, &edges::CLAIMS];
+    let groups: [&'static [Claim]; 5] =
+        [&operations::CLAIMS, &vectors::CLAIMS, &places::CLAIMS, &axes::CLAIMS, &edges::CLAIMS];
     groups.into_iter().flatten().collect()
 }
