@@ -74,7 +74,8 @@ impl CoreSpec {
     fn check_inputs(&self, frame: &Frame) -> Result<(), SpecError> {
         let general = self.general();
         let ports = general.inputs();
-        let values = GivenValues::of_frames(&general, &ports, frame.into());
+        let mut values = GivenValues::none(&ports);
+        values.add_frame(&general, frame);
         let mut wrong = (0..ports.len())
             .filter_map(|input| Some((input, self.left_out(input, &ports, &values)?)));
         let Some((input, (has, needs))) = wrong.next() else { return Ok(()) };

@@ -58,6 +58,8 @@ impl CoreSpec {
     ) -> Result<CoreSpec, SpecError> {
         let default = CoreOptions::default();
         let table = table.unwrap_or(&default);
+        let kept = table.kept()?;
+        let needs = &kept.relaxed(needs);
         let named = table.method.as_deref().map(Method::from_name).transpose()?;
         let method = method.or(named).unwrap_or(Method::default_for(needs));
         let pipelines = table.light_pipelines.unwrap_or_default();
@@ -67,9 +69,10 @@ impl CoreSpec {
         let mut spec = CoreSpec {
             parameters: CoreParameters::for_needs(needs, pipelines, components),
             method: with_places_that_serve(method.spec(needs, &options)?, needs),
-            specialisation: Specialisation::default(),
+            specialisation: Specialisation::keeping(kept),
             target: None,
         };
+        spec.check_kept()?;
         spec.parameters.least_view_cosine = spec.least_view_cosine(needs);
         if spec.places_seen_from() != Viewpoint::Vertex {
             spec.parameters.attenuation = AttenuationSpec::for_needs(needs, &of_lights)?;
@@ -108,6 +111,23 @@ impl CoreSpec {
         self.specialisation.check(&self.general().inputs())
     }
 
+    /// Whether every input that is to be kept is one.
+    fn check_kept(&self) -> Result<(), SpecError> {
+        let inputs = self.method.core_inputs(&self.parameters);
+        let Some(stranger) = self.specialisation.kept().stranger(&inputs) else { return Ok(()) };
+        let names: Vec<&str> = inputs.iter().map(|input| input.port.name.as_str()).collect();
+        let message = format!(
+            "there is no `{stranger}` to keep; `keep` has \"lights\", \"materials\", \"camera\", \"objects\" or an input: {}",
+            names.join(", ")
+        );
+        Err(SpecError::Core { message })
+    }
+
+    /// What may change without a new core, for people to read; empty if nothing may.
+    pub fn kept_in_words(&self) -> Vec<String> {
+        self.specialisation.kept().in_words()
+    }
+
     /// Which method this is.
     pub fn method(&self) -> Method {
         self.method.method()
@@ -115,7 +135,7 @@ impl CoreSpec {
 
     /// The same core for any frame.
     pub fn general(&self) -> CoreSpec {
-        CoreSpec { specialisation: Specialisation::default(), ..self.clone() }
+        CoreSpec { specialisation: self.specialisation.general(), ..self.clone() }
     }
 
     /// The directions that leave the core beside a pixel's colour, in the order of their ports.
@@ -246,6 +266,7 @@ impl CoreSpec {
         }
         options.extend(self.method_options());
         options.push(("made for", self.specialisation.in_words()));
+        options.push(("can shade", self.can_shade()));
         options
     }
 }

@@ -32,7 +32,16 @@ impl GivenValues {
         for frame in frames.iter() {
             values.add_frame(core, frame);
         }
+        values.add_examples(core, frames.iter().next());
         values
+    }
+
+    /// Adds what inputs may be given besides, as the core's specialisation says.
+    pub fn add_examples(&mut self, core: &CoreSpec, frame: Option<&Frame>) {
+        let examples = frame.map(|frame| core.specialisation.kept().examples(frame));
+        for example in examples.iter().flatten() {
+            self.add_frame(core, example);
+        }
     }
 
     /// Sets up every span of a frame, and tells which of them brought something new: no other span
@@ -76,11 +85,13 @@ impl GivenValues {
         &self.twins[input]
     }
 
-    /// What an input was given, if that is less than its port takes.
-    pub fn given(&self, input: usize, ports: &[InputPort]) -> Option<Given> {
-        let range = self.range(input)?;
+    /// What an input was given, if that is less than its port takes; nothing of one that is free to
+    /// take everything later, and no input is the same as such a one.
+    pub fn given(&self, input: usize, ports: &[InputPort], is_free: &[bool]) -> Option<Given> {
+        let range = self.range(input).filter(|_| !is_free[input])?;
         // An input that never changes needs no twin.
-        let twin = self.twins[input].first().filter(|_| range.0 != range.1);
+        let twins = || self.twins[input].iter().find(|&&twin| !is_free[twin]);
+        let twin = if range.0 == range.1 { None } else { twins() };
         let same = twin.map(|&other| Given::SameAs(ports[other].name.clone()));
         same.or((range != ports[input].range).then_some(Given::Between([range.0, range.1])))
     }

@@ -11,6 +11,7 @@
 //! for a span. It sees parameters and never a whole core, so nothing beneath it depends on which
 //! methods there are; a line in `method` makes it known.
 pub mod attenuation;
+mod can_shade;
 mod compatibility;
 mod components;
 pub mod consistent;
@@ -29,6 +30,7 @@ pub mod hybrid;
 mod increments;
 mod input_meaning;
 mod inputs;
+mod kept;
 mod keys;
 mod light_pipelines;
 mod linear;
@@ -73,6 +75,7 @@ pub use hybrid::{HybridInputs, HybridSpec};
 pub use increments::Increments;
 pub use input_meaning::InputMeaning;
 pub use inputs::{CoreInputs, InputGroup, LightInputs, MethodInputs, NoInputs};
+pub use kept::{Kept, KeptWithin};
 pub use light_pipelines::LightPipelines;
 pub use linear::Linear;
 pub use lyon::{LyonInputs, LyonSpec};

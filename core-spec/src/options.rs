@@ -7,6 +7,7 @@ use serde::de::{self, Deserializer, MapAccess, Visitor};
 
 use crate::components::Components;
 use crate::error::SpecError;
+use crate::kept::{Kept, KeptWithin};
 use crate::light_pipelines::LightPipelines;
 use crate::method::Method;
 
@@ -24,6 +25,10 @@ pub struct CoreOptions {
     pub components: Option<Components>,
     /// Where formats that are not named come from, if that is said.
     pub formats: Option<UnnamedFormats>,
+    /// What must stay an input.
+    pub keep: Vec<String>,
+    /// Within what it may change.
+    pub kept: KeptWithin,
     /// Options that differ from the defaults.
     tables: Vec<(Method, toml::Table)>,
 }
@@ -36,6 +41,14 @@ impl CoreOptions {
             .find(|(of, _)| *of == method)
             .map(|(_, table)| table.clone())
             .unwrap_or_default()
+    }
+
+    /// What must stay an input, with its limits.
+    ///
+    /// # Errors
+    /// [`SpecError::OutOfRange`] for a limit that cannot be.
+    pub(crate) fn kept(&self) -> Result<Kept, SpecError> {
+        Kept::new(&self.keep, self.kept.clone())
     }
 
     /// The narrowing points of a method whose formats are named.
@@ -110,6 +123,8 @@ enum Key {
     LightPipelines,
     Components,
     Formats,
+    Keep,
+    Kept,
     Table(Method),
 }
 
@@ -118,7 +133,7 @@ impl<'de> Deserialize<'de> for Key {
         let name = String::deserialize(deserializer)?;
         let unknown = |_| {
             let known = format!(
-                "expected `method`, `specialise`, `light_pipelines`, `components`, `formats` or a method's name ({})",
+                "expected `method`, `specialise`, `light_pipelines`, `components`, `formats`, `keep`, `kept` or a method's name ({})",
                 Method::names()
             );
             de::Error::custom(format!("unknown field `{name}`, {known}"))
@@ -129,6 +144,8 @@ impl<'de> Deserialize<'de> for Key {
             "light_pipelines" => Ok(Key::LightPipelines),
             "components" => Ok(Key::Components),
             "formats" => Ok(Key::Formats),
+            "keep" => Ok(Key::Keep),
+            "kept" => Ok(Key::Kept),
             _ => Method::from_name(&name).map(Key::Table).map_err(unknown),
         }
     }
@@ -158,6 +175,8 @@ impl<'de> Visitor<'de> for Keys {
                 Key::LightPipelines => options.light_pipelines = Some(map.next_value()?),
                 Key::Components => options.components = Some(map.next_value()?),
                 Key::Formats => options.formats = Some(map.next_value()?),
+                Key::Keep => options.keep = map.next_value()?,
+                Key::Kept => options.kept = map.next_value()?,
                 Key::Table(method) => options.tables.push((method, map.next_value()?)),
             }
         }

@@ -42,6 +42,13 @@ pub trait SceneCore {
     /// As [`SceneCore::core_spec`].
     fn core_for(&self, needs: &Needs, method: Option<Method>) -> Result<CoreSpec, CoreError>;
 
+    /// The core for this scene, as [`SceneCore::core_spec`] gives it, that keeps these things alone
+    /// variable in place of what the scene file's `[core]` table names.
+    ///
+    /// # Errors
+    /// As [`SceneCore::core_spec`].
+    fn core_keeping(&self, keep: &[&str], method: Option<Method>) -> Result<CoreSpec, CoreError>;
+
     /// Frames that stand for all that a core is to shade, as far as it depends on them what its
     /// inputs are given: the scene's frame, or the witnesses of its sequence ([`Survey`]).
     ///
@@ -80,19 +87,16 @@ impl SceneCore for LoadedScene {
     }
 
     fn core_for(&self, needs: &Needs, method: Option<Method>) -> Result<CoreSpec, CoreError> {
-        let options = core_options(self)?;
-        let spec = CoreSpec::for_scene(needs, options.as_ref(), method);
-        let spec = spec.map_err(|error| -> CoreError {
-            match &self.core {
-                Some(table) => {
-                    table.error(table.span(), error.to_string(), error.help_text()).into()
-                }
-                None => error.into(),
-            }
-        })?;
-        Ok(match specialise(self)? {
-            Specialise::General => spec,
-            Specialise::Scene => without_interpolation(spec, needs, options.as_ref()),
+        core_by(self, core_options(self)?.as_ref(), needs, method)
+    }
+
+    fn core_keeping(&self, keep: &[&str], method: Option<Method>) -> Result<CoreSpec, CoreError> {
+        let mut options = core_options(self)?.unwrap_or_default();
+        options.keep = keep.iter().map(|&name| name.to_owned()).collect();
+        let spec = core_by(self, Some(&options), &self.needs()?, method)?;
+        Ok(match &self.sequence {
+            None => spec.specialised(&self.frame),
+            Some(sequence) => spec.survey(sequence)?.core,
         })
     }
 
@@ -120,6 +124,29 @@ impl SceneCore for LoadedScene {
     fn unnamed_formats(&self) -> Result<UnnamedFormats, CoreError> {
         Ok(core_options(self)?.and_then(|options| options.formats).unwrap_or_default())
     }
+}
+
+/// The core with these options for needs.
+fn core_by(
+    scene: &LoadedScene,
+    options: Option<&CoreOptions>,
+    needs: &Needs,
+    method: Option<Method>,
+) -> Result<CoreSpec, CoreError> {
+    let spec = CoreSpec::for_scene(needs, options, method);
+    let spec = spec.map_err(|error| -> CoreError {
+        match &scene.core {
+            Some(table) => table.error(table.span(), error.to_string(), error.help_text()).into(),
+            None => error.into(),
+        }
+    })?;
+    Ok(match specialise(scene)? {
+        Specialise::General => spec,
+        Specialise::Scene => {
+            let needs = spec.specialisation.kept().relaxed(needs);
+            without_interpolation(spec, &needs, options)
+        }
+    })
 }
 
 /// What the scene file's `[core]` table says.

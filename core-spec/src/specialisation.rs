@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use specula_datapath::InputPort;
 
 use crate::error::SpecError;
+use crate::kept::Kept;
 
 /// What an input is given.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -21,19 +22,43 @@ pub enum Given {
 
 /// What inputs are given, by their names. One that is not named may be given whatever its format
 /// and its method allow; if none is, the core is general.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(transparent)]
-pub struct Specialisation(BTreeMap<String, Given>);
+pub struct Specialisation {
+    given: BTreeMap<String, Given>,
+    /// What stays an input whatever is known of it; of a core that was read from a file nothing,
+    /// since there nothing more is left out.
+    #[serde(skip)]
+    kept: Kept,
+}
 
 impl Specialisation {
     /// What inputs are given, by their names.
-    pub(crate) fn new(given: impl IntoIterator<Item = (String, Given)>) -> Specialisation {
-        Specialisation(given.into_iter().collect())
+    pub(crate) fn new(
+        given: impl IntoIterator<Item = (String, Given)>,
+        kept: Kept,
+    ) -> Specialisation {
+        Specialisation { given: given.into_iter().collect(), kept }
+    }
+
+    /// Nothing is known of any input, and some must stay one.
+    pub(crate) fn keeping(kept: Kept) -> Specialisation {
+        Specialisation { given: BTreeMap::new(), kept }
+    }
+
+    /// What stays an input.
+    pub(crate) fn kept(&self) -> &Kept {
+        &self.kept
+    }
+
+    /// The same without what is known of inputs.
+    pub(crate) fn general(&self) -> Specialisation {
+        Specialisation::keeping(self.kept.clone())
     }
 
     /// Whether nothing is known of any input.
     pub fn is_general(&self) -> bool {
-        self.0.is_empty()
+        self.given.is_empty()
     }
 
     /// What it says, for people.
@@ -41,29 +66,29 @@ impl Specialisation {
         if self.is_general() {
             return "any scene of that kind".to_owned();
         }
-        let count = |of: fn(&Given) -> bool| self.0.values().filter(|given| of(given)).count();
+        let count = |of: fn(&Given) -> bool| self.given.values().filter(|given| of(given)).count();
         let constant = count(|given| matches!(given, Given::Between([low, high]) if low == high));
         let same = count(|given| matches!(given, Given::SameAs(_)));
-        let narrower = self.0.len() - constant - same;
-        format!(
+        let narrower = self.given.len() - constant - same;
+        let words = format!(
             "one scene: {constant} inputs are constants, {same} are the same as others, {narrower} are narrower"
-        )
+        );
+        match &self.kept.in_words()[..] {
+            [] => words,
+            kept => format!("{words}; what may change: {}", kept.join("; ")),
+        }
     }
 
     /// What an input is given, if that is less than it could be.
     pub fn given(&self, name: &str) -> Option<&Given> {
-        self.0.get(name)
+        self.given.get(name)
     }
 
     /// What is known of some inputs alone.
     pub fn restricted(&self, keep: impl Fn(&str) -> bool) -> Specialisation {
-        Specialisation(
-            self.0
-                .iter()
-                .filter(|(name, _)| keep(name))
-                .map(|(name, given)| (name.clone(), given.clone()))
-                .collect(),
-        )
+        let known = self.given.iter().filter(|(name, _)| keep(name));
+        let given = known.map(|(name, given)| (name.clone(), given.clone()));
+        Specialisation::new(given, self.kept.clone())
     }
 
     /// A port as it is over the frames that the core is for.
@@ -84,7 +109,7 @@ impl Specialisation {
         let fail = |name: &str, wrong: String| {
             Err(SpecError::Specialisation { name: name.to_owned(), wrong })
         };
-        for (name, given) in &self.0 {
+        for (name, given) in &self.given {
             let Some(own) = place(name) else {
                 return fail(name, "the core has no such input".to_owned());
             };

@@ -19,11 +19,14 @@ impl CoreSpec {
 
     /// This general core, whose inputs have these ports, where they are given these values.
     pub(crate) fn given(self, ports: &[InputPort], values: &GivenValues) -> CoreSpec {
+        let kept = self.specialisation.kept().clone();
+        let inputs = self.method.core_inputs(&self.parameters);
+        let is_free: Vec<bool> = inputs.iter().map(|input| kept.frees(input)).collect();
         let given = ports
             .iter()
             .enumerate()
-            .filter_map(|(i, port)| Some((port.name.clone(), values.given(i, ports)?)));
-        CoreSpec { specialisation: Specialisation::new(given), ..self }
+            .filter_map(|(i, port)| Some((port.name.clone(), values.given(i, ports, &is_free)?)));
+        CoreSpec { specialisation: Specialisation::new(given, kept), ..self }
     }
 
     /// As [`CoreSpec::specialised`], where another core for these frames alone is at hand,
@@ -52,7 +55,8 @@ impl CoreSpec {
             let given = converted_given(port, &own, &others, &special.specialisation)?;
             Some((port.name.clone(), given))
         });
-        CoreSpec { specialisation: Specialisation::new(converted), ..general }
+        let kept = general.specialisation.kept().clone();
+        CoreSpec { specialisation: Specialisation::new(converted, kept), ..general }
     }
 
     /// Whether a host gives both cores the same raw values in every frame: set-up rests on ports

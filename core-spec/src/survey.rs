@@ -31,7 +31,9 @@ impl CoreSpec {
         })?;
         let mut values = GivenValues::none(&ports);
         let witnesses = of_its_own.iter().map(|frame| reduced(&mut values, &general, frame));
-        let witnesses = witnesses.filter(|frame| !frame.spans.is_empty()).collect();
+        let witnesses = witnesses.filter(|frame| !frame.spans.is_empty());
+        let witnesses: Vec<Frame> = witnesses.collect();
+        values.add_examples(&general, witnesses.first());
         Ok(Survey { core: general.given(&ports, &values), witnesses })
     }
 }

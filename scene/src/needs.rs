@@ -25,6 +25,9 @@ pub struct Needs {
     pub local_eye: bool,
     /// Length of the longest span in pixels.
     pub longest_span: u32,
+    /// Width of the picture in pixels, which no span is longer than.
+    #[serde(skip)]
+    pub picture_width: u32,
     /// Smallest exponent n of a material.
     pub smallest_shininess: u32,
     /// Largest exponent n of a material.
@@ -162,6 +165,7 @@ impl Needs {
             attenuated_lights: attenuated_lights(frame),
             local_eye: frame.eye.is_some(),
             longest_span: frame.spans.iter().map(|s| s.length).max().unwrap_or(1),
+            picture_width: frame.width,
             smallest_shininess: shininess().min().unwrap_or(1),
             largest_shininess: shininess().max().unwrap_or(1),
             uneven_shininess: shininess().find(|n| !n.is_power_of_two()),

@@ -17,6 +17,7 @@ impl Needs {
             attenuated_lights: either(self.attenuated_lights, other.attenuated_lights),
             local_eye: self.local_eye || other.local_eye,
             longest_span: self.longest_span.max(other.longest_span),
+            picture_width: self.picture_width.max(other.picture_width),
             smallest_shininess: self.smallest_shininess.min(other.smallest_shininess),
             largest_shininess: self.largest_shininess.max(other.largest_shininess),
             uneven_shininess: self.uneven_shininess.or(other.uneven_shininess),
