@@ -60,7 +60,7 @@ impl CoreSpec {
         let table = table.unwrap_or(&default);
         let kept = table.kept()?;
         let needs = &kept.relaxed(needs);
-        let named = table.method.as_deref().map(Method::from_name).transpose()?;
+        let named = table.named_method()?;
         let method = method.or(named).unwrap_or(Method::default_for(needs));
         let pipelines = table.light_pipelines.unwrap_or_default();
         let components = table.components.unwrap_or_default();

@@ -81,7 +81,7 @@ pub use linear::Linear;
 pub use lyon::{LyonInputs, LyonSpec};
 pub use method::{Method, MethodSpec};
 pub use narrowing::NarrowingPoint;
-pub use options::{CoreOptions, Specialise, UnnamedFormats};
+pub use options::{ANY_METHOD, CoreOptions, Specialise, UnnamedFormats};
 pub use packet_layout::{
     FieldContent, PacketField, PacketLayout, Positions, SpanHeader, WordWidth, built_format,
     raw_value,

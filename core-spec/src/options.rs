@@ -11,6 +11,9 @@ use crate::kept::{Kept, KeptWithin};
 use crate::light_pipelines::LightPipelines;
 use crate::method::Method;
 
+/// The word for any method that will do.
+pub const ANY_METHOD: &str = "auto";
+
 /// The `[core]` table of a scene file: a method's name, and a table of options for any of the
 /// methods.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -43,12 +46,31 @@ impl CoreOptions {
             .unwrap_or_default()
     }
 
+    /// The method that is named; `None` without one, or where any will do.
+    ///
+    /// # Errors
+    /// [`SpecError::UnknownMethod`] if there is no method of that name.
+    pub(crate) fn named_method(&self) -> Result<Option<Method>, SpecError> {
+        let name = self.method.as_deref().filter(|name| *name != ANY_METHOD);
+        name.map(Method::from_name).transpose()
+    }
+
+    /// Whether it says that any method will do.
+    pub(crate) fn leaves_method_open(&self) -> bool {
+        self.method.as_deref() == Some(ANY_METHOD)
+    }
+
     /// What must stay an input, with its limits.
     ///
     /// # Errors
     /// [`SpecError::OutOfRange`] for a limit that cannot be.
     pub(crate) fn kept(&self) -> Result<Kept, SpecError> {
         Kept::new(&self.keep, self.kept.clone())
+    }
+
+    /// These with the method of others, and with their options of methods.
+    pub(crate) fn by_method_of(self, others: &CoreOptions) -> CoreOptions {
+        CoreOptions { method: others.method.clone(), tables: others.tables.clone(), ..self }
     }
 
     /// The narrowing points of a method whose formats are named.

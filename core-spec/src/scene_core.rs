@@ -49,6 +49,19 @@ pub trait SceneCore {
     /// As [`SceneCore::core_spec`].
     fn core_keeping(&self, keep: &[&str], method: Option<Method>) -> Result<CoreSpec, CoreError>;
 
+    /// Whether the scene file's `[core]` table leaves the method to whoever makes the core.
+    ///
+    /// # Errors
+    /// A [`CoreError`] that points at the table, if it cannot be read.
+    fn leaves_method_open(&self) -> Result<bool, CoreError>;
+
+    /// The general core for this scene by the method and the options of that method in `options`;
+    /// everything else is as the scene file's `[core]` table says.
+    ///
+    /// # Errors
+    /// As [`SceneCore::core_spec`].
+    fn core_with(&self, options: &CoreOptions, needs: &Needs) -> Result<CoreSpec, CoreError>;
+
     /// Frames that stand for all that a core is to shade, as far as it depends on them what its
     /// inputs are given: the scene's frame, or the witnesses of its sequence ([`Survey`]).
     ///
@@ -98,6 +111,15 @@ impl SceneCore for LoadedScene {
             None => spec.specialised(&self.frame),
             Some(sequence) => spec.survey(sequence)?.core,
         })
+    }
+
+    fn leaves_method_open(&self) -> Result<bool, CoreError> {
+        Ok(core_options(self)?.is_some_and(|options| options.leaves_method_open()))
+    }
+
+    fn core_with(&self, options: &CoreOptions, needs: &Needs) -> Result<CoreSpec, CoreError> {
+        let own = core_options(self)?.unwrap_or_default();
+        core_by(self, Some(&own.by_method_of(options)), needs, None)
     }
 
     fn deciding_frames(&self, core: &CoreSpec) -> Result<Cow<'_, [Frame]>, SceneError> {

@@ -1,6 +1,7 @@
 //! Measurements made with a test bench: error against run time, searches for formats, ablations,
 //! stress, reproduction of the papers' figures, and benchmarks of engines.
 mod ablation;
+pub mod auto;
 pub mod benchmark;
 mod bound_shares;
 pub mod climb;
@@ -17,7 +18,8 @@ pub mod stress;
 pub mod tradeoff;
 
 pub use ablation::{
-    AgainstGeneral, Baseline, CellDelta, Saving, Savings, SizeDelta, Synthesis, ablation,
+    AgainstGeneral, Baseline, CellDelta, KeepCost, KeepError, Saving, Savings, SizeDelta,
+    Synthesis, ablation, keep_costs,
 };
 pub use bound_shares::{BoundShare, bound_shares};
 pub use pareto::pareto_front;

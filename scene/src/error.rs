@@ -60,6 +60,18 @@ pub enum SceneError {
         #[help]
         help: String,
     },
+    /// A file in a folder of frames does not go with the others.
+    #[error("frame `{file}` {wrong}")]
+    #[diagnostic(code(scene::frames))]
+    Unlike {
+        /// The file.
+        file: String,
+        /// What is wrong with it.
+        wrong: String,
+        /// What would be right.
+        #[help]
+        help: String,
+    },
     /// The scene is well formed, but cannot be drawn.
     #[error("scene `{scene}`: {error}")]
     #[diagnostic(code(scene::picture))]

@@ -6,6 +6,7 @@ use crate::mesh::error::listed;
 use crate::mesh::{self, EXTENSIONS, Mesh, Warning};
 use crate::picture::camera::Camera;
 use crate::picture::{Object, Scene};
+use crate::sequence::{Besides, FrameFiles, FrameSource};
 use crate::{Frame, Needs, SceneError, Sequence, SequenceFrame, Surface, builtin, defaults};
 
 /// A scene with its visible spans, and its table for the core.
@@ -49,8 +50,8 @@ impl LoadedScene {
 /// Largest length of a name that is made from a file's name, in characters.
 pub const LONGEST_NAME: usize = 48;
 
-/// Loads a scene: the name of a built-in one, or the path of a scene file (`.toml`) or a mesh
-/// (`.obj`, `.ply`, `.stl`, `.glb`). `size` in pixels takes precedence over the scene's own.
+/// Loads a scene: the name of a built-in one, or the path of a scene file (`.toml`), a mesh
+/// (`.obj`, `.ply`, `.stl`, `.glb`), or a folder of such files, each of which is a frame. `size` in pixels takes precedence over the scene's own.
 ///
 /// A mesh fills the picture, seen from the front, a little to the right and above, with one light
 /// and a grey material.
@@ -65,13 +66,11 @@ pub fn load(scene: &str, size: Option<(u32, u32)>) -> Result<LoadedScene, SceneE
         return finish(scene, scene, SceneFile::parse(&source, None)?, size);
     }
     let name = module_name(path);
-    if mesh::extension(path).is_some() {
-        let (mesh, warnings) = Mesh::read(path)?;
-        return finish(scene, &name, SceneFile::without_text(mesh_scene(mesh), warnings), size);
+    if path.is_dir() {
+        return folder(scene, &name, size);
     }
-    if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) {
-        let source = SourceFile::read("scene file", path)?;
-        return finish(scene, &name, SceneFile::parse(&source, path.parent())?, size);
+    if mesh::extension(path).is_some() || is_scene_file(path) {
+        return finish(scene, &name, read(path)?, size);
     }
     let help = format!(
         "built-in scenes are {}; scene files end in `.toml`, meshes in {}",
@@ -94,6 +93,30 @@ pub fn parse(name: &str, text: String) -> Result<LoadedScene, SceneError> {
         SceneFile::parse(&source, Some(Path::new("")))?,
         None,
     )
+}
+
+/// Whether a path is that of a scene file.
+pub(crate) fn is_scene_file(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
+}
+
+/// Reads a mesh, which is shown by itself, or a scene file.
+pub(crate) fn read(path: &Path) -> Result<SceneFile, SceneError> {
+    if is_scene_file(path) {
+        let source = SourceFile::read("scene file", path)?;
+        return SceneFile::parse(&source, path.parent());
+    }
+    let (mesh, warnings) = Mesh::read(path)?;
+    Ok(SceneFile::without_text(mesh_scene(mesh), warnings))
+}
+
+/// A folder whose scene files and meshes are frames.
+fn folder(scene: &str, name: &str, size: Option<(u32, u32)>) -> Result<LoadedScene, SceneError> {
+    let (files, Besides { core, warnings }) = FrameFiles::new(Path::new(scene), size)?;
+    let sequence = Sequence::new(scene, FrameSource::Files(files))?;
+    let SequenceFrame { frame, surfaces } = sequence.frame(0)?;
+    let name = name.to_owned();
+    Ok(LoadedScene { name, frame, sequence: Some(sequence), surfaces, core, warnings })
 }
 
 fn finish(

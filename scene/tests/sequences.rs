@@ -172,3 +172,55 @@ fn a_frame_without_anything_is_an_error() {
     let error = leaving.needs().expect_err("the object leaves the picture").to_string();
     assert_eq!(error, "scene `moving.toml, frame 1`: nothing of the scene is visible");
 }
+
+/// A mesh of one triangle, so far to the right.
+fn triangle(x: f64) -> String {
+    format!("v {x} 0 0\nv {} 0 0\nv {x} 1 0\nf 1 2 3\n", x + 1.0)
+}
+
+fn folder(files: &[(&str, String)]) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, text) in files {
+        std::fs::write(folder.path().join(name), text).unwrap();
+    }
+    folder
+}
+
+fn loaded(folder: &tempfile::TempDir) -> Result<specula_scene::LoadedScene, String> {
+    let path = folder.path().to_str().unwrap();
+    load(path, Some((64, 48))).map_err(|error| error.to_string().replace(path, "FOLDER"))
+}
+
+/// A folder's meshes are frames in the order of their names, in one picture.
+#[test]
+fn a_folder_of_meshes_is_a_sequence() {
+    let folder = folder(&[
+        ("b.obj", triangle(3.0)),
+        ("a.obj", triangle(0.0)),
+        ("c.toml", "[[object]]\nprimitive = \"icosahedron\"\n".to_owned()),
+        ("notes.txt", "not a frame".to_owned()),
+    ]);
+    let sequence = loaded(&folder).unwrap().sequence.unwrap();
+    assert_eq!(sequence.frames(), 3);
+    let middles: Vec<DVec3> = (0..3).map(|number| middle(&frame(&sequence, number))).collect();
+    let outline = |number: u32| frame(&sequence, number).triangles[0].outline.unwrap()[0];
+    // Seen from the right, three units are as far in the picture as they are in view space.
+    assert!(middles[1].x - middles[0].x > 2.0 && outline(1).x > outline(0).x + 10.0);
+    assert!(sequence.needs().is_ok());
+}
+
+#[test]
+fn frames_that_do_not_go_together_are_refused() {
+    let object = "[[object]]\nprimitive = \"icosahedron\"\n";
+    let lit = |lights: usize| "[[light]]\ndirection = [0, 0, 1]\n".repeat(lights) + object;
+    let other = folder(&[("a.toml", lit(1)), ("b.toml", lit(2))]);
+    let moving = folder(&[("a.toml", format!("{object}[sequence]\nframes = 2\n"))]);
+    let broken = folder(&[("a.obj", triangle(0.0)), ("b.obj", "v 1 2\n".to_owned())]);
+    let errors = [&folder(&[]), &other, &moving, &broken].map(|folder| loaded(folder).unwrap_err());
+    insta::assert_snapshot!(errors.join("\n"), @r"
+    folder of frames `FOLDER`: it has neither scene files nor meshes
+    frame `FOLDER/b.toml` has another picture, other kinds of lights or another kind of eye than `FOLDER/a.toml`
+    frame `FOLDER/a.toml` is no scene of objects that stand still
+    mesh `FOLDER/b.obj`, line 1: three numbers are needed here, the line ends early
+    ");
+}

@@ -4,12 +4,16 @@ use std::path::PathBuf;
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use specula_experiments::auto;
+use specula_experiments::cost::GENERIC_BLOCK;
 use specula_experiments::formats::{self, DefaultCore, FAITHFUL, core_of_sequence, default_core};
 use specula_experiments::search::{self, Measured};
 use specula_hdl::module_name;
 use specula_scene::picture::limits;
 use specula_scene::{Frame, LoadedScene};
-use specula_spec::{CoreSpec, Frames, Method, SceneCore, SpecFile, Specialise, UnnamedFormats};
+use specula_spec::{
+    ANY_METHOD, CoreSpec, Frames, Method, SceneCore, SpecFile, Specialise, UnnamedFormats,
+};
 use specula_testbench::EngineKind;
 use specula_testbench::trace::Choice;
 
@@ -84,9 +88,10 @@ pub struct PictureArguments {
 /// The core that the user asks for.
 #[derive(Clone, Debug, Default, Args)]
 pub struct CoreArguments {
-    /// Shading method [default: what the scene says, else lyon]
-    #[arg(long, value_parser = method_parser())]
-    pub method: Option<Method>,
+    /// Shading method; auto chooses the smallest core whose total error stays within 2 LSB on a sample
+    /// of pixels [default: what the scene says, else lyon]
+    #[arg(long, value_parser = wished_method_parser())]
+    pub method: Option<WishedMethod>,
     /// A core for this scene alone, without what the scene does not need, or a general one
     /// [default: what the scene says, else scene]
     #[arg(long, value_name = "FOR", value_parser = specialise_parser())]
@@ -120,7 +125,12 @@ impl CoreArguments {
 
     /// The core for a scene, for no clock in particular, in the formats that are asked for.
     fn in_formats(&self, scene: &LoadedScene) -> Result<DefaultCore, ToolError> {
-        let spec = scene.core_spec(self.method)?;
+        let spec = match self.method {
+            Some(WishedMethod::Named(method)) => scene.core_spec(Some(method))?,
+            Some(WishedMethod::Auto) => self.chosen(scene)?,
+            None if scene.leaves_method_open()? => self.chosen(scene)?,
+            None => scene.core_spec(None)?,
+        };
         if let Some(lsb) = scene.refused_wraps(&spec)? {
             // A closed standard error is no reason to stop.
             let _ = writeln!(
@@ -139,6 +149,19 @@ impl CoreArguments {
             }
             (None, _) => self.as_proven(start, scene, &scene.frame),
         }
+    }
+
+    /// The core that is chosen where any method will do, in recommended formats; what it was chosen
+    /// for goes to standard error.
+    fn chosen(&self, scene: &LoadedScene) -> Result<CoreSpec, ToolError> {
+        let products = self.made_for.products()?;
+        let choice = auto::choose(scene, auto::GOAL, GENERIC_BLOCK, &products)?;
+        // A closed standard error is no reason to stop.
+        let _ = writeln!(io::stderr(), "method: {}", choice.in_words());
+        Ok(match &scene.sequence {
+            None => choice.spec.specialised(&scene.frame),
+            Some(sequence) => choice.spec.survey(sequence)?.core,
+        })
     }
 
     /// The core in the narrowest formats whose error, measured on every pixel, stays within a goal.
@@ -263,6 +286,24 @@ fn parse_cycles(text: &str) -> Result<std::ops::Range<u64>, String> {
 pub fn method_parser() -> impl TypedValueParser<Value = Method> {
     PossibleValuesParser::new(Method::ALL.map(Method::name))
         .try_map(|name| Method::from_name(&name))
+}
+
+/// The method that a core is asked to have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WishedMethod {
+    /// The smallest core that is near enough to exact shading, by whatever method.
+    Auto,
+    /// One by name.
+    Named(Method),
+}
+
+/// Parses a method that may be left to Specula.
+pub fn wished_method_parser() -> impl TypedValueParser<Value = WishedMethod> {
+    let names = Method::ALL.map(Method::name).into_iter().chain([ANY_METHOD]);
+    PossibleValuesParser::new(names).try_map(|name| match name.as_str() {
+        ANY_METHOD => Ok(WishedMethod::Auto),
+        name => Method::from_name(name).map(WishedMethod::Named),
+    })
 }
 
 /// The methods that `--methods` names, each once and in their usual order; all methods if it names

@@ -4,12 +4,12 @@ use std::io::Write;
 use clap::Args;
 use serde::Serialize;
 use specula_datapath::Design;
-use specula_experiments::{Saving, Savings, SizeDelta, Synthesis, ablation};
+use specula_experiments::{KeepCost, Saving, Savings, SizeDelta, Synthesis, ablation, keep_costs};
 use specula_scene::{LoadedScene, Needs};
 use specula_sim::{Progress, synthesise};
 use specula_spec::{CoreSpec, Method, Specialise};
 
-use crate::arguments::{CoreArguments, SceneArguments, method_parser};
+use crate::arguments::{CoreArguments, SceneArguments, WishedMethod, method_parser};
 use crate::error::ToolError;
 use crate::verdict::Verdict;
 use crate::{progress, table};
@@ -49,6 +49,7 @@ struct Report<'a> {
     method: &'static str,
     needs: &'a Needs,
     savings: &'a Savings,
+    keeping: &'a [KeepCost],
 }
 
 /// Prints the needs and what they save.
@@ -56,17 +57,19 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
     let scene = arguments.scene.load()?;
     // The user asks what the scene leaves out, even if its file asks for a general core.
     let wanted = CoreArguments {
-        method: arguments.method,
+        method: arguments.method.map(WishedMethod::Named),
         specialise: Some(Specialise::Scene),
         ..CoreArguments::default()
     };
     let spec = wanted.core(&scene)?.spec;
     let (needs, savings) = (scene.needs()?, measured(&scene, &spec, arguments.synthesis)?);
+    let keeping = keep_costs(&scene, spec.method(), &wanted.made_for.products()?)?;
     let report = Report {
         scene: &scene.name,
         method: spec.method().name(),
         needs: &needs,
         savings: &savings,
+        keeping: &keeping,
     };
     let text = if arguments.json {
         serde_json::to_string_pretty(&report).map_err(ToolError::Json)? + "\n"
@@ -77,7 +80,8 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
         } else {
             String::new()
         };
-        format!("{}\n{}{cells}", table::shown(&facts(&report)), table::shown(&table))
+        let keeping = table::shown(&kept(&keeping));
+        format!("{}\n{}{cells}\n{keeping}", table::shown(&facts(&report)), table::shown(&table))
     };
     write!(stdout, "{text}").map_err(ToolError::Print)?;
     Ok(Verdict::Done)
@@ -175,6 +179,24 @@ pub fn rows(savings: &Savings) -> Vec<[String; 9]> {
         row(general.baseline.name(), &general.built_for, &general.saves, "every pixel is compared")
     }));
     rows
+}
+
+/// A table of what it costs to keep things variable.
+fn kept(costs: &[KeepCost]) -> Vec<[String; 7]> {
+    let titles = ["keeping", "multipliers", "bits", "adders", "bits", "registers", "clocks"];
+    let row = |KeepCost { thing, costs }: &KeepCost| {
+        let numbers = [
+            costs.multipliers,
+            costs.multiplier_bits,
+            costs.adders,
+            costs.adder_bits,
+            costs.register_bits,
+            costs.latency,
+        ];
+        let [a, b, c, d, e, f] = numbers.map(|number| format!("{number:+}"));
+        [(*thing).to_owned(), a, b, c, d, e, f]
+    };
+    [titles.map(str::to_owned)].into_iter().chain(costs.iter().map(row)).collect()
 }
 
 /// A table of saved cells; empty if they were not counted.

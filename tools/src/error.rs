@@ -3,6 +3,8 @@ use std::io;
 use std::path::PathBuf;
 
 use miette::Diagnostic;
+use specula_experiments::KeepError;
+use specula_experiments::auto::AutoError;
 use specula_experiments::benchmark::MeasureError;
 use specula_experiments::formats::{NotProven, SequenceError};
 use specula_experiments::search::NotFound;
@@ -53,6 +55,10 @@ pub enum ToolError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     NotFound(#[from] NotFound),
+    /// No method has a core for the scene.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    NoMethod(AutoError),
     /// An error is to be measured on a scene of which no single frame stands for all.
     #[error(
         "formats cannot be chosen by errors that are measured, as the scene has several frames"
@@ -212,6 +218,25 @@ impl From<SceneError> for ToolError {
 impl From<CoreError> for ToolError {
     fn from(error: CoreError) -> ToolError {
         ToolError::Core(Box::new(error))
+    }
+}
+
+impl From<KeepError> for ToolError {
+    fn from(error: KeepError) -> ToolError {
+        match error {
+            KeepError::Core(error) => error.into(),
+            KeepError::Bench(error) => error.into(),
+        }
+    }
+}
+
+impl From<AutoError> for ToolError {
+    fn from(error: AutoError) -> ToolError {
+        match error {
+            AutoError::Core(error) => error.into(),
+            AutoError::Bench(error) => error.into(),
+            AutoError::Nothing => ToolError::NoMethod(error),
+        }
     }
 }
 

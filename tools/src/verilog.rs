@@ -5,9 +5,9 @@ use std::path::Path;
 use specula_datapath::Design;
 use specula_datapath::verilog::{self, Header};
 use specula_scene::builtin_names;
-use specula_spec::{CoreSpec, SpecFile, TargetClock};
+use specula_spec::{ANY_METHOD, CoreSpec, SpecFile, TargetClock};
 
-use crate::arguments::{CoreArguments, NameArguments, SceneArguments};
+use crate::arguments::{CoreArguments, NameArguments, SceneArguments, WishedMethod};
 use crate::made_for::MadeFor;
 use crate::ports::{Port, inputs};
 use crate::table;
@@ -42,7 +42,10 @@ impl Origin {
             .map(|(width, height)| format!(" --size {width}x{height}"))
             .unwrap_or_default();
         let scene = scene_name(&scene.scene);
-        let method = spec.method().name();
+        let method = match core.method {
+            Some(WishedMethod::Auto) => ANY_METHOD,
+            _ => spec.method().name(),
+        };
         let specialise = core
             .specialise
             .map(|wish| format!(" --specialise {}", wish.name()))

@@ -7,6 +7,7 @@
 mod core;
 mod general;
 mod inputs;
+mod keeping;
 mod needs;
 mod premise;
 mod size_delta;
@@ -23,6 +24,7 @@ use general::General;
 use size_delta::Built;
 
 pub use general::Baseline;
+pub use keeping::{KeepCost, KeepError, keep_costs};
 pub use size_delta::{CellDelta, SizeDelta, Synthesis};
 
 /// A need of a scene, and what knowing it saves.

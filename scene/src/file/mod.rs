@@ -20,7 +20,7 @@ pub use self::source::SourceFile;
 use crate::mesh::Warning;
 use crate::picture::Scene;
 use crate::picture::project::PictureError;
-use crate::sequence::{MovingScene, Sequence, SequenceFrame};
+use crate::sequence::{FrameSource, MovingScene, Sequence, SequenceFrame};
 use crate::{Frame, SceneError, Surface};
 
 use self::sequence::SequenceTable;
@@ -31,7 +31,8 @@ const KEYS: &str = "docs/scene-format.md lists every key with its unit, range an
 
 /// A scene file that has been read: the scene, and its table for the core if it has one.
 pub(crate) struct SceneFile {
-    shown: Shown,
+    /// What it shows.
+    pub shown: Shown,
     pub core: Option<CoreTable>,
     /// What was skipped in the meshes.
     pub warnings: Vec<Warning>,
@@ -77,9 +78,8 @@ impl SceneFile {
             }
             (Shown::Moving(scene, table), size) => {
                 let SequenceTable { frames, motions } = table.clone();
-                let scene = MovingScene::new(sized(scene, size), frames, motions)
-                    .map_err(|error| self.error(name, error))?;
-                let sequence = Sequence::new(name, scene);
+                let scene = MovingScene::new(sized(scene, size), frames, motions);
+                let sequence = Sequence::new(name, FrameSource::Moving(scene))?;
                 let SequenceFrame { frame, surfaces } = sequence.frame(0)?;
                 Ok(View { frame, surfaces, sequence: Some(sequence) })
             }

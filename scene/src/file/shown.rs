@@ -11,3 +11,13 @@ pub enum Shown {
     /// Spans that the file gives directly.
     Rows(SpanRows),
 }
+
+impl Shown {
+    /// The scene of objects that stand still; `None` if there is none.
+    pub fn into_still(self) -> Option<Scene> {
+        match self {
+            Shown::Objects(scene) => Some(scene),
+            Shown::Moving(..) | Shown::Rows(_) => None,
+        }
+    }
+}

@@ -1,4 +1,6 @@
 //! Sequences: scenes over frames, which one core is to shade.
+mod files;
+mod framing;
 mod keys;
 mod motion;
 mod movement;
@@ -8,8 +10,13 @@ use std::sync::{Arc, OnceLock};
 
 use rayon::prelude::*;
 
+use crate::picture::Scene;
+use crate::picture::project::PictureError;
 use crate::{Frame, Needs, SceneError, Surface};
 
+pub(crate) use files::Besides;
+pub use files::FrameFiles;
+use framing::Framing;
 pub use keys::{Keys, Steps};
 pub use motion::{Change, Motion, Subject};
 pub use movement::Movement;
@@ -23,9 +30,20 @@ pub const MOST_FRAMES: u32 = 10000;
 #[derive(Clone, Debug)]
 pub struct Sequence {
     name: String,
-    scene: MovingScene,
+    source: FrameSource,
+    /// What its cameras show, where they choose that by themselves.
+    framing: Option<Framing>,
     /// The needs of all frames together, once they are known.
     needs: Arc<OnceLock<Needs>>,
+}
+
+/// Where frames come from.
+#[derive(Clone, Debug)]
+pub enum FrameSource {
+    /// A scene that moves.
+    Moving(MovingScene),
+    /// Files in a folder.
+    Files(FrameFiles),
 }
 
 /// A frame of a sequence.
@@ -38,14 +56,55 @@ pub struct SequenceFrame {
 }
 
 impl Sequence {
-    /// A scene that moves; `name` is the scene's in errors.
-    pub fn new(name: &str, scene: MovingScene) -> Sequence {
-        Sequence { name: name.to_owned(), scene, needs: Arc::default() }
+    /// A sequence of these frames; `name` is the scene's in errors.
+    ///
+    /// A camera that chooses its target or height by itself does so once: all frames are within the
+    /// picture, and none is drawn larger than another.
+    ///
+    /// # Errors
+    /// [`SceneError`] if a camera is invalid, or objects have no extent.
+    pub fn new(name: &str, source: FrameSource) -> Result<Sequence, SceneError> {
+        let name = name.to_owned();
+        let sequence = Sequence { name, source, framing: None, needs: Arc::default() };
+        let is_needed = Framing::is_needed(&sequence.scene(0)?.camera);
+        let framing = is_needed.then(|| sequence.framed()).transpose()?;
+        Ok(Sequence { framing, ..sequence })
     }
 
     /// The number of frames, at least one.
     pub fn frames(&self) -> u32 {
-        self.scene.frames()
+        match &self.source {
+            FrameSource::Moving(scene) => scene.frames(),
+            FrameSource::Files(files) => files.frames(),
+        }
+    }
+
+    /// What shows all frames.
+    fn framed(&self) -> Result<Framing, SceneError> {
+        let wrong = |index: u32| move |error| self.error(index, error);
+        let extent = |index: u32| self.scene(index)?.extent().map_err(wrong(index));
+        let first = Framing::around(extent(0)?);
+        let all = (1..self.frames())
+            .try_fold(first, |framing, index| Ok::<_, SceneError>(framing.and(extent(index)?)))?;
+        (0..self.frames()).try_fold(all, |framing, index| {
+            framing.high_enough(&self.scene(index)?).map_err(wrong(index))
+        })
+    }
+
+    /// The scene of frame number `index`, counted from 0.
+    fn scene(&self, index: u32) -> Result<Scene, SceneError> {
+        let scene = match &self.source {
+            FrameSource::Moving(scene) => scene.scene(index),
+            FrameSource::Files(files) => files.scene(index)?,
+        };
+        Ok(match self.framing {
+            None => scene,
+            Some(framing) => Scene { camera: framing.applied(scene.camera), ..scene },
+        })
+    }
+
+    fn error(&self, index: u32, error: PictureError) -> SceneError {
+        SceneError::picture(&format!("{}, frame {index}", self.name), error)
     }
 
     /// Frame number `index`, counted from 0.
@@ -53,10 +112,8 @@ impl Sequence {
     /// # Errors
     /// [`SceneError::Picture`] if that frame cannot be drawn, or nothing is visible in it.
     pub fn frame(&self, index: u32) -> Result<SequenceFrame, SceneError> {
-        let scene = self.scene.scene(index);
-        let frame = scene.frame().map_err(|error| {
-            SceneError::picture(&format!("{}, frame {index}", self.name), error)
-        })?;
+        let scene = self.scene(index)?;
+        let frame = scene.frame().map_err(|error| self.error(index, error))?;
         Ok(SequenceFrame { frame, surfaces: scene.surfaces() })
     }
 

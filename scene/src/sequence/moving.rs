@@ -1,11 +1,6 @@
 //! A scene whose camera, objects and lights move.
-use glam::DVec3;
-
-use crate::picture::Scene;
-use crate::picture::camera::{Camera, Window};
-use crate::picture::project::PictureError;
-
 use super::motion::Motion;
+use crate::picture::Scene;
 
 /// A scene that moves.
 #[derive(Clone, Debug)]
@@ -14,39 +9,13 @@ pub struct MovingScene {
     scene: Scene,
     frames: u32,
     motions: Vec<Motion>,
-    /// What the camera shows, where it chooses that by itself.
-    framing: Option<Framing>,
-}
-
-/// What a camera shows in all frames.
-#[derive(Clone, Copy, Debug)]
-struct Framing {
-    /// The point at the picture's centre in view space, where the camera has no target.
-    centre: Option<DVec3>,
-    /// World units from the picture's bottom to its top.
-    height: f64,
 }
 
 impl MovingScene {
-    /// A scene over `frames` frames, at least one. Motions of one thing follow each other in
-    /// their order.
-    ///
-    /// A camera that chooses its target or height by itself does so once: all frames are within the
-    /// picture, and no frame is drawn larger than another.
-    ///
-    /// # Errors
-    /// [`PictureError`] if the camera is invalid in a frame, or objects have no extent.
-    pub fn new(
-        scene: Scene,
-        frames: u32,
-        motions: Vec<Motion>,
-    ) -> Result<MovingScene, PictureError> {
-        let moving = MovingScene { scene, frames, motions, framing: None };
-        let camera = &moving.scene.camera;
-        if camera.target.is_some() && camera.height.is_some() {
-            return Ok(moving);
-        }
-        Ok(MovingScene { framing: Some(moving.framing()?), ..moving })
+    /// A scene over `frames` frames, at least one. Motions of one thing follow each other in their
+    /// order.
+    pub fn new(scene: Scene, frames: u32, motions: Vec<Motion>) -> MovingScene {
+        MovingScene { scene, frames, motions }
     }
 
     /// The number of frames.
@@ -60,40 +29,6 @@ impl MovingScene {
         for motion in &self.motions {
             motion.apply(f64::from(index), &mut scene);
         }
-        if let Some(framing) = self.framing {
-            framing.apply(&mut scene.camera);
-        }
         scene
-    }
-
-    /// What shows all frames: the middle of all that is seen over time, in the picture's own
-    /// directions, unless a target is given, and the largest height that a frame needs.
-    fn framing(&self) -> Result<Framing, PictureError> {
-        let scenes = || (0..self.frames).map(|index| self.scene(index));
-        let mut bounds: Option<[DVec3; 2]> = None;
-        for scene in scenes() {
-            let [low, high] = scene.extent()?;
-            bounds = Some(bounds.map_or([low, high], |[a, b]| [a.min(low), b.max(high)]));
-        }
-        let bounds = bounds.ok_or(PictureError::NothingVisible)?;
-        let mut height: f64 = 0.0;
-        for scene in scenes() {
-            let rotation = scene.camera.rotation().ok_or(PictureError::Up)?;
-            let window = Window::new(&scene.camera, rotation, bounds, scene.size)
-                .ok_or(PictureError::NoExtent)?;
-            height = height.max(window.pixel * f64::from(scene.size.1));
-        }
-        let own = self.scene.camera.target.is_none();
-        Ok(Framing { centre: own.then_some((bounds[0] + bounds[1]) / 2.0), height })
-    }
-}
-
-impl Framing {
-    fn apply(self, camera: &mut Camera) {
-        camera.height = Some(self.height);
-        let to_world = camera.rotation().map(|rotation| rotation.transpose());
-        if let (Some(centre), Some(to_world)) = (self.centre, to_world) {
-            camera.target = Some(to_world * centre);
-        }
     }
 }

@@ -16,6 +16,7 @@ mod program;
 mod reproduce;
 mod run;
 mod schedule;
+mod sequence;
 mod spec;
 mod starting;
 mod stress;
