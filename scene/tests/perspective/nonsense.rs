@@ -1,0 +1,1 @@
+//! Cameras where none should be.
