@@ -101,7 +101,7 @@ fn lens(source: &SourceFile, raw: &raw::Camera) -> Result<Lens, SceneError> {
     let interpolation = check::word(source, "interpolation", raw.interpolation.as_ref(), &words)?;
     let degrees =
         "`field_of_view` is the angle from the picture's bottom to its top, 1 to 170 degrees";
-    let near = "`near` is the distance from the eye of what may be seen at all, in world units, from 1e-30 to 1e30";
+    let near = "`near` is the distance from the eye to the near plane in world units, 1e-30 to 1e30; what is nearer is not seen";
     let number = |name, given: &Option<Spanned<Number>>, range, help| {
         given.as_ref().map(|given| within(source, name, given, (range, help))).transpose()
     };

@@ -16,7 +16,8 @@ pub struct Camera {
     pub direction: DVec3,
     /// The direction that points up in the picture, in world coordinates; not along `direction`.
     pub up: DVec3,
-    /// The world point at the picture's centre; if `None`, the middle of the objects.
+    /// The world point at the picture's centre; if `None`, the middle of the objects, or where a
+    /// perspective camera that chooses its distance has to look to see them in the picture's middle.
     pub target: Option<DVec3>,
     /// World units from the picture's bottom to its top; if `None`, what the objects need.
     pub height: Option<f64>,

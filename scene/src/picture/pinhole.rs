@@ -48,18 +48,19 @@ impl Pinhole {
         size: (u32, u32),
     ) -> Option<Pinhole> {
         let (width, height) = (f64::from(size.0), f64::from(size.1));
-        let target = camera.target.map_or((bounds[0] + bounds[1]) / 2.0, |place| rotation * place);
         let (cos, sin) = cos_sin(lens.field_of_view / 2.0);
         let pixel = 2.0 * sin / (cos * height);
-        let eye = match lens.eye {
-            Some(eye) => rotation * eye,
+        let target = camera.target.map(|place| rotation * place);
+        let middle = (bounds[0] + bounds[1]) / 2.0;
+        let (eye, target) = match lens.eye {
+            Some(eye) => (rotation * eye, target.unwrap_or(middle)),
             None => {
                 let half = [width, height].map(|pixels| FILLED * pixel * pixels / 2.0);
-                target + DVec3::Z * distance(corners.map(|corner| corner - target), half)?
+                Frustum::around(corners, half).placed(target, middle)?
             }
         };
         let near = lens.near.unwrap_or(NEAR * eye.distance(target)).max(NEAREST);
-        let middle = [width / 2.0, height / 2.0];
+        let middle = [width, height].map(|pixels| pixels / 2.0);
         Some(Pinhole { eye, target, pixel, middle, near, interpolation: lens.interpolation })
     }
 
@@ -133,15 +134,45 @@ impl Pinhole {
     }
 }
 
-/// The smallest distance of an eye from the target at which places, given from the target, are in the
-/// picture, `half` of whose width and height at the distance 1 is given; `None` if they have no extent.
+/// The sides of the picture about places: planes that they are all within, as an eye sees them that
+/// looks along -z.
 ///
-/// A place is in the picture if |x| ≤ h (d - z), so d is z + |x|/h at least.
-fn distance(places: impl Iterator<Item = DVec3>, half: [f64; 2]) -> Option<f64> {
-    let needed = |place: DVec3| {
-        let beside = (place.x.abs() / half[0]).max(place.y.abs() / half[1]);
-        (place.z + beside).max(BEFORE * place.z)
-    };
-    let distance = places.map(needed).fold(0.0, f64::max);
-    (distance > 0.0 && distance.is_finite()).then_some(distance)
+/// A place p is within if |p_i - e_i| ≤ h_i (e_z - p_z) for the eye e, i either of x and y. So
+/// e_z ≥ (p_i + h_i p_z - e_i)/h_i and e_z ≥ (e_i - (p_i - h_i p_z))/h_i.
+struct Frustum {
+    /// Half of the picture's width and height at the distance 1: h.
+    half: [f64; 2],
+    /// The largest p_i + h_i p_z.
+    high: [f64; 2],
+    /// The smallest p_i - h_i p_z.
+    low: [f64; 2],
+    /// The largest p_z.
+    front: f64,
+}
+
+impl Frustum {
+    fn around(places: impl Iterator<Item = DVec3>, half: [f64; 2]) -> Frustum {
+        let none = [f64::INFINITY; 2];
+        let nothing = Frustum { half, high: none.map(|x| -x), low: none, front: -f64::INFINITY };
+        places.fold(nothing, |about, place| Frustum {
+            half,
+            high: [0, 1].map(|i| about.high[i].max(place[i] + half[i] * place.z)),
+            low: [0, 1].map(|i| about.low[i].min(place[i] - half[i] * place.z)),
+            front: about.front.max(place.z),
+        })
+    }
+
+    /// The nearest eye that sees all places, and its target, which is as deep as `middle` if it is not
+    /// given: the eye is then where the places are in the middle of the picture. `None` if all of them
+    /// are at the target.
+    fn placed(&self, target: Option<DVec3>, middle: DVec3) -> Option<(DVec3, DVec3)> {
+        let Frustum { half, high, low, front } = self;
+        let between = |i: usize| f64::midpoint(low[i], high[i]);
+        let target = target.unwrap_or(DVec3::new(between(0), between(1), middle.z));
+        let sides = [0, 1].map(|i| (high[i] - target[i]).max(target[i] - low[i]) / half[i]);
+        let before = target.z + BEFORE * (front - target.z);
+        let z = sides[0].max(sides[1]).max(before);
+        let is_apart = z > target.z && z.is_finite();
+        is_apart.then_some((DVec3::new(target.x, target.y, z), target))
+    }
 }

@@ -12,9 +12,6 @@ use shot::{Model, Shot, camera};
 
 /// How far beside a pixel's centre, in pixels, a ray may see what the picture shows there: corners are
 /// moved to a grid of 1/256 pixel.
-const BESIDE: [f64; 2] = [0.005, 0.02];
-
-/// How far the place that is seen may be from where a pixel's centre shows it, in pixels.
 const OFF: f64 = 1.0 / 256.0;
 
 fn shots() -> Vec<(&'static str, Shot)> {
@@ -60,52 +57,63 @@ fn by_pixel(frame: &Frame) -> Vec<Option<(&Span, u32)>> {
     pixels
 }
 
-/// The distance from the eye of what a frame shows, along the direction in which the camera looks.
-fn depth(shot: &Shot, caster: &RayCaster, frame: &Frame, (span, i): (&Span, u32)) -> f64 {
-    let eye = caster.in_view(shot.camera.eye);
-    (eye - frame.position_at(span, frame.seen_weights(span, i))).z
-}
-
 /// How many pixels show something else than a ray through their centre, which a ray beside it has to
 /// see.
 fn differing(shot: &Shot, frame: &Frame) -> usize {
     let caster = shot.caster();
     let mut differing = 0;
     for (at, pixel) in by_pixel(frame).into_iter().enumerate() {
-        let (x, y) = (at as u32 % frame.width, at as u32 / frame.width);
-        let seen = pixel.map(|pixel| depth(shot, &caster, frame, pixel));
-        let agrees = |hit: Option<Hit>| match (seen, hit) {
-            (None, None) => true,
-            (Some(seen), Some(hit)) => {
-                let off = BESIDE[1] * caster.pixel() * hit.depth / hit.cosine.max(1e-3);
-                (seen - hit.depth).abs() <= off
+        let [x, y] = [at as u32 % frame.width, at as u32 / frame.width].map(|n| f64::from(n) + 0.5);
+        let seen = pixel.map(|(span, i)| frame.position_at(span, frame.seen_weights(span, i)));
+        let hit = caster.hit(x, y);
+        match seen {
+            Some(seen) if !is_at(&caster, hit, seen) => {
+                differing += 1;
+                let [u, v] = caster.place(seen);
+                assert!((u - x).abs().max((v - y).abs()) < OFF, "{x} {y}: {seen} is at {u} {v}");
+                let hides = |hit: Hit| hit.depth < caster.depth(seen) - tolerance(&caster, hit);
+                let is_hidden = beside(x, y).all(|(x, y)| caster.hit(x, y).is_some_and(hides));
+                assert!(!is_hidden, "{x} {y}: {seen} is hidden");
             }
-            _ => false,
-        };
-        let [x, y] = [x, y].map(|n| f64::from(n) + 0.5);
-        if !agrees(caster.hit(x, y)) {
-            differing += 1;
-            assert!(beside(x, y).any(|(x, y)| agrees(caster.hit(x, y))), "{x} {y}: {seen:?}");
+            None if hit.is_some() => {
+                differing += 1;
+                assert!(is_empty_beside(&caster, x, y), "{x} {y}: {hit:?} is not seen");
+            }
+            _ => {}
         }
     }
     differing
 }
 
+/// Whether what a ray meets is a point that is seen.
+fn is_at(caster: &RayCaster, hit: Option<Hit>, seen: DVec3) -> bool {
+    hit.is_some_and(|hit| (hit.depth - caster.depth(seen)).abs() <= tolerance(caster, hit))
+}
+
+/// How much the distance of a surface changes over a hundredth of a pixel.
+fn tolerance(caster: &RayCaster, hit: Hit) -> f64 {
+    0.01 * caster.pixel() * hit.depth / hit.cosine.max(1e-6)
+}
+
 /// Whether rays through the centres of all pixels, or beside them, meet nothing.
 fn is_empty(shot: &Shot) -> bool {
     let (caster, (width, height)) = (shot.caster(), shot.camera.size);
-    let centres =
-        (0..height).flat_map(|y| (0..width).map(move |x| [x, y].map(|n| f64::from(n) + 0.5)));
-    centres.into_iter().all(|[x, y]| beside(x, y).any(|(x, y)| caster.hit(x, y).is_none()))
+    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (f64::from(x), f64::from(y))));
+    pixels.into_iter().all(|(x, y)| is_empty_beside(&caster, x + 0.5, y + 0.5))
 }
 
+/// Whether a ray through a place of the picture, or beside it, meets nothing.
+fn is_empty_beside(caster: &RayCaster, x: f64, y: f64) -> bool {
+    beside(x, y).any(|(x, y)| caster.hit(x, y).is_none())
+}
+
+/// A place of the picture and eight around it.
 fn beside(x: f64, y: f64) -> impl Iterator<Item = (f64, f64)> {
-    let directions = (-1..=1).flat_map(|i| (-1..=1).map(move |j| (f64::from(i), f64::from(j))));
-    directions.flat_map(move |(i, j)| BESIDE.map(|off| (x + i * off, y + j * off)))
+    let steps = [-OFF, 0.0, OFF];
+    steps.into_iter().flat_map(move |i| steps.map(|j| (x + i, y + j)))
 }
 
-/// Every pixel shows what a ray through its centre meets, or one through a place a fiftieth of a pixel
-/// beside it.
+/// Every pixel shows what a ray through its centre meets, or one through a place 1/256 pixel beside it.
 #[test]
 fn pictures_show_what_rays_meet() {
     for (name, shot) in shots() {
