@@ -69,7 +69,7 @@ fn precedes(a: DVec3, b: DVec3) -> bool {
     let axes = a.to_array().into_iter().zip(b.to_array());
     axes.map(|(a, b)| a.total_cmp(&b))
         .find(|order| order.is_ne())
-        .is_some_and(|order| order.is_lt())
+        .is_some_and(std::cmp::Ordering::is_lt)
 }
 
 #[cfg(test)]
