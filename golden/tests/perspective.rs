@@ -124,7 +124,7 @@ fn method_error(frame: &Frame, method: Method) -> [f64; 2] {
 #[test]
 fn a_plane_at_a_low_angle_shows_the_interpolation() {
     let camera = camera([0.0, 1.5, 3.5], [0.0, 0.0, -8.0]);
-    for (up, most) in [("[0, 1, 0]", 0.01), ("[0.7, 1, 0]", 8.0)] {
+    for (up, times) in [("[0, 1, 0]", 1000.0), ("[0.2, 1, 0]", 3.0)] {
         let [screen, perspective] = ["screen", "perspective"].map(|interpolation| {
             let more = format!("up = {up}\ninterpolation = {interpolation:?}");
             method_error(&frame("plane.obj", &camera, &more), Method::Phong)
@@ -132,7 +132,7 @@ fn a_plane_at_a_low_angle_shows_the_interpolation() {
         println!(
             "up {up}: screen {screen:.3?} LSB, perspective {perspective:.3?} LSB (rms, largest)"
         );
-        assert!(screen[0] > 4.0 && screen[0] > 4.0 * perspective[0] && perspective[1] < most);
+        assert!(screen[0] > 10.0 && screen[0] > times * perspective[0] && perspective[0] > 0.0);
     }
 }
 

@@ -1,4 +1,5 @@
-//! What a perspective camera sees of a triangle, and how barycentric weights go along its spans.
+//! What a perspective camera sees of a triangle, and how barycentric weights go along its spans
+//! [Heckbert and Moreton].
 use glam::DVec2;
 use serde::Serialize;
 
@@ -14,6 +15,18 @@ pub enum Interpolation {
     Screen,
     /// They are perspective-correct at both ends.
     Perspective,
+}
+
+impl Interpolation {
+    /// What a perspective camera with it does, in words.
+    pub fn in_words(self) -> &'static str {
+        match self {
+            Interpolation::Screen => "perspective; along spans, weights are linear on the screen",
+            Interpolation::Perspective => {
+                "perspective; weights are perspective-correct at the ends of spans"
+            }
+        }
+    }
 }
 
 /// What a perspective camera sees of a triangle: the whole of it, or a piece that is left of it
@@ -97,6 +110,12 @@ impl Triangle {
 }
 
 impl Frame {
+    /// How weights go along spans that are seen in perspective; `None` where lines of sight are
+    /// parallel.
+    pub fn interpolation(&self) -> Option<Interpolation> {
+        Some(self.triangles.first()?.perspective?.interpolation)
+    }
+
     /// Barycentric weights of the point that is seen at pixel `i` of a span: perspective-correct ones
     /// in perspective, else those that the span has there.
     pub fn seen_weights(&self, span: &Span, i: u32) -> [f64; 3] {

@@ -5,6 +5,7 @@ use clap::Args;
 use serde::Serialize;
 use specula_datapath::Design;
 use specula_experiments::{Saving, Savings, SizeDelta, Synthesis, ablation};
+use specula_scene::perspective::Interpolation;
 use specula_scene::{LoadedScene, Needs};
 use specula_sim::{Progress, synthesise};
 use specula_spec::{CoreSpec, Method, Specialise};
@@ -47,6 +48,9 @@ pub struct Arguments {
 struct Report<'a> {
     scene: &'a str,
     method: &'static str,
+    /// How weights go along spans, where the camera is a perspective one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    interpolation: Option<Interpolation>,
     needs: &'a Needs,
     savings: &'a Savings,
 }
@@ -65,6 +69,7 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
     let report = Report {
         scene: &scene.name,
         method: spec.method().name(),
+        interpolation: scene.frame.interpolation(),
         needs: &needs,
         savings: &savings,
     };
@@ -131,10 +136,11 @@ fn facts(report: &Report) -> Vec<[String; 2]> {
         ("one normal over each triangle", yes_or_no(needs.flat)),
         ("consistent normals would differ", yes_or_no(needs.consistent_normals_differ)),
     ];
+    let camera = report.interpolation.map(|way| ("camera", way.in_words().to_owned()));
     let weaker = (!needs.attenuated_lights.is_empty()).then(|| {
         ("lights that become weaker with distance", needs.attenuated_lights.len().to_string())
     });
-    let rows = rows.into_iter().chain(weaker).chain(wraps);
+    let rows = rows.into_iter().chain(camera).chain(weaker).chain(wraps);
     rows.map(|(name, value)| [name.to_owned(), value]).collect()
 }
 
