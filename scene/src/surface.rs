@@ -118,6 +118,18 @@ mod tests {
         assert!(seen.distance(DVec3::new(0.6, 0.0, 0.8)) < 1e-12, "{seen}");
     }
 
+    /// A point inside the sphere, and the one that an eye sees before it.
+    #[test]
+    fn an_eye_at_a_place_sees_along_its_own_lines() {
+        let eye = DVec3::new(1.0, 0.5, 3.0);
+        let surface = Surface::of(Primitive::Sphere { level: 4 }, DAffine3::IDENTITY)
+            .expect("it has a surface")
+            .seen_from(Some(eye));
+        let met = DVec3::new(0.6, 0.0, 0.8);
+        let seen = surface.normal(met + 0.05 * (met - eye), DVec3::Z).expect("it is met");
+        assert!(seen.distance(met) < 1e-12, "{seen}");
+    }
+
     /// Vertices of these meshes have exact normals.
     #[test]
     fn normals_at_vertices_are_the_meshes() {

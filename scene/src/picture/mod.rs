@@ -2,6 +2,7 @@
 pub mod camera;
 mod clip;
 pub mod coverage;
+mod error;
 mod faces;
 pub mod limits;
 pub mod normal_cones;

@@ -3,8 +3,8 @@ use glam::{DMat3, DVec3};
 
 use super::camera::{Camera, Window};
 use super::coverage::Point;
+use super::error::PictureError;
 use super::pinhole::Pinhole;
-use super::project::PictureError;
 use crate::frame::EYE;
 use crate::perspective::Perspective;
 
