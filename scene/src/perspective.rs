@@ -94,8 +94,8 @@ impl Triangle {
         self.outline.filter(|_| self.perspective.as_ref().is_none_or(is_linear))
     }
 
-    /// What barycentric weights grow by from a pixel, where the outline's are `on_screen`, to the
-    /// next on its right: the direction alone, in perspective; 0 without an outline.
+    /// What barycentric weights grow by from the pixel whose centre is at `place` to the next on its
+    /// right, or in perspective a multiple of it; 0 without an outline.
     pub(crate) fn steps_across(&self, place: DVec2) -> [f64; 3] {
         let Some(outline) = self.outline else { return [0.0; 3] };
         let step = across(outline);

@@ -50,12 +50,13 @@ impl<const N: usize> Planes<N> {
             without_edge: HashMap::new(),
         };
         for (triangle, (edge, corners)) in mesh.edges().zip(&mesh.corners).enumerate() {
-            let values = at_corners(vertices, *corners);
-            planes.edges.push(edge.unwrap_or_default());
-            planes.planes.extend(values.iter().map(|values| of(&edge.unwrap_or_default(), values)));
+            let values = || at_corners(vertices, *corners);
             if edge.is_none() {
-                planes.without_edge.insert(triangle, values);
+                planes.without_edge.insert(triangle, values().collect());
             }
+            let edge = edge.unwrap_or_default();
+            planes.edges.push(edge);
+            planes.planes.extend(values().map(|values| of(&edge, &values)));
         }
         planes
     }
@@ -77,10 +78,10 @@ impl<const N: usize> Planes<N> {
 fn at_corners<const N: usize>(
     vertices: &AtPoints<f64, N>,
     corners: [usize; 3],
-) -> Vec<[[f64; 3]; N]> {
+) -> impl Iterator<Item = [[f64; 3]; N]> {
     let [a, b, c] = corners.map(|vertex| vertices.of(vertex));
     let lights = a.iter().zip(b).zip(c);
-    lights.map(|((a, b), c)| std::array::from_fn(|k| [a[k], b[k], c[k]])).collect()
+    lights.map(|((a, b), c)| std::array::from_fn(|k| [a[k], b[k], c[k]]))
 }
 
 fn of<const N: usize>(edge: &Edge, values: &[[f64; 3]; N]) -> [Plane; N] {
