@@ -175,6 +175,7 @@ pub fn frame(balls: Balls) -> Frame {
             facet,
             positions,
             outline: None,
+            perspective: None,
             cones,
             material: ball,
         });

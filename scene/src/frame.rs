@@ -1,13 +1,15 @@
 //! The contents of a picture after visibility is settled: spans of visible triangles, in view
 //! space.
 //!
-//! View space is right-handed, x to the right, y up, the eye at infinity in the direction +z: V =
-//! (0, 0, 1).
+//! View space is right-handed, x to the right, y up, z against the direction in which the camera
+//! looks. Its origin is the world's: it is turned and not moved. Highlights are seen from infinity in
+//! the direction +z, V = (0, 0, 1), or from a place ([`Frame::eye`]).
 use glam::{DVec2, DVec3};
 
 use crate::arc::{Arc, or_the_other};
 use crate::attenuation::Attenuation;
 use crate::mesh::normals::newell;
+use crate::perspective::Perspective;
 
 /// The direction to the eye, in view space.
 pub const EYE: DVec3 = DVec3::Z;
@@ -118,9 +120,12 @@ pub struct Triangle {
     pub facet: Facet,
     /// The three vertices, in view space.
     pub positions: [DVec3; 3],
-    /// The three vertices in the picture, in pixels to the right and down from its top left corner;
-    /// the triangle has an area. `None` for a triangle that is known only by a span.
+    /// The three vertices in the picture, in pixels to the right and down from its top left corner,
+    /// or the corners of the piece that is seen in `perspective`; it has an area. `None` for a
+    /// triangle that is known only by a span.
     pub outline: Option<[DVec2; 3]>,
+    /// What a perspective camera sees of it; `None` where lines of sight are parallel.
+    pub perspective: Option<Perspective>,
     /// Cones about the normals, turned to the visible side as the normals are.
     pub cones: [VertexCone; 3],
     /// Index into [`Frame::materials`].
@@ -196,7 +201,7 @@ pub struct Frame {
     /// either kind.
     pub local_lights: Vec<LocalLight>,
     /// The position of the eye that sees highlights, in view space; `None` for an eye at infinity
-    /// in the direction [`EYE`]. Visibility is settled along parallel lines in both cases.
+    /// in the direction [`EYE`]. What is visible does not depend on it.
     pub eye: Option<DVec3>,
     /// Materials, to which triangles refer.
     pub materials: Vec<Material>,

@@ -66,14 +66,14 @@ pub fn load(scene: &str, size: Option<(u32, u32)>) -> Result<LoadedScene, SceneE
         return finish(scene, scene, SceneFile::parse(&source, None)?, size);
     }
     let name = module_name(path);
-    if path.is_dir() {
-        return folder(scene, &name, size);
-    }
     if mesh::extension(path).is_some() || is_scene_file(path) {
         return finish(scene, &name, read(path)?, size);
     }
+    if path.is_dir() {
+        return folder(scene, &name, size);
+    }
     let help = format!(
-        "built-in scenes are {}; scene files end in `.toml`, meshes in {}",
+        "built-in scenes are {}; scene files end in `.toml`, meshes in {}, and a folder of such files is a sequence",
         listed(builtin::builtin_names()),
         EXTENSIONS.map(|extension| format!("`.{extension}`")).join(", ")
     );

@@ -70,6 +70,7 @@ fn turned(triangle: &Triangle, turn: DQuat) -> Triangle {
         },
         positions: triangle.positions.map(vector),
         outline: triangle.outline,
+        perspective: triangle.perspective,
         cones: triangle.cones.map(|cone| VertexCone { axis: vector(cone.axis), ..cone }),
         material: 0,
     }

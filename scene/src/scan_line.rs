@@ -1,9 +1,10 @@
 //! Where the scan line of a span enters its triangle and leaves it, and normals by slerp along the
 //! edges there [lecture, §4.4, steps ii and iii].
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
 use crate::arc::Arc;
 use crate::frame::{Frame, Span};
+use crate::perspective::centre;
 
 /// The line through the centres of a span's pixels, as far as it is inside of the triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,7 +24,7 @@ impl Frame {
     /// The scan line of a span. Hidden pixels beside the span belong to it.
     pub fn scan_line(&self, span: &Span) -> ScanLine {
         let (pixels, last) = if span.start == span.end {
-            (across(self.triangles[span.triangle].outline), 0.0)
+            (self.triangles[span.triangle].steps_across(centre(span.x, span.y)), 0.0)
         } else {
             ([0, 1, 2].map(|k| span.end[k] - span.start[k]), 1.0)
         };
@@ -57,15 +58,6 @@ impl Frame {
         let normals = self.triangles[span.triangle].normals;
         Arc::between(edges.map(|weights| normal_on_edge(normals, weights))).part(shares)
     }
-}
-
-/// What barycentric weights grow by from a pixel to the next on its right; 0 without an outline.
-fn across(outline: Option<[DVec2; 3]>) -> [f64; 3] {
-    let Some([a, b, c]) = outline else { return [0.0; 3] };
-    let area = (b - a).perp_dot(c - a);
-    // The area is not 0, unless f64 cannot tell the sides of a triangle of millions of pixels apart.
-    let per_area = if area == 0.0 { 0.0 } else { area.recip() };
-    [b.y - c.y, c.y - a.y, a.y - b.y].map(|height| height * per_area)
 }
 
 /// The unit normal at barycentric weights of which one is 0, by slerp of the two vertices of that

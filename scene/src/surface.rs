@@ -8,6 +8,8 @@ use crate::primitive::Primitive;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface {
     shape: Shape,
+    /// The eye that lines of sight meet in, in view space; `None` where they are parallel to z.
+    eye: Option<DVec3>,
     /// The transformation from view space to the shape's own coordinates.
     to_own: DAffine3,
 }
@@ -60,15 +62,21 @@ impl Surface {
             // Bicubic patches are not the zeros of a function that could be written down.
             Primitive::Teapot { .. } => return None,
         };
-        Some(Surface { shape, to_own: to_view.inverse() })
+        Some(Surface { shape, eye: None, to_own: to_view.inverse() })
+    }
+
+    /// The surface as an eye in view space sees it; without one, along lines parallel to z.
+    pub fn seen_from(self, eye: Option<DVec3>) -> Surface {
+        Surface { eye, ..self }
     }
 
     /// The unit normal in view space where the line of sight through `place` meets the surface near
     /// it, on the side of `towards`. The result is `None` if the line misses the surface, as it may
     /// near an outline.
     pub fn normal(&self, place: DVec3, towards: DVec3) -> Option<DVec3> {
+        let sight = self.eye.map_or(EYE, |eye| eye - place);
         let outward =
-            self.met(self.to_own.transform_point3(place), self.to_own.transform_vector3(EYE))?;
+            self.met(self.to_own.transform_point3(place), self.to_own.transform_vector3(sight))?;
         // Normals transform by the inverse transpose of the transformation to view space.
         let normal = (DMat3::transpose(&self.to_own.matrix3) * outward).try_normalize()?;
         Some(if normal.dot(towards) < 0.0 { -normal } else { normal })
@@ -108,6 +116,18 @@ mod tests {
             .expect("it has a surface");
         let seen = surface.normal(DVec3::new(0.6, 0.0, 0.7), DVec3::Z).expect("it is met");
         assert!(seen.distance(DVec3::new(0.6, 0.0, 0.8)) < 1e-12, "{seen}");
+    }
+
+    /// A point inside the sphere, and the one that an eye sees before it.
+    #[test]
+    fn an_eye_at_a_place_sees_along_its_own_lines() {
+        let eye = DVec3::new(1.0, 0.5, 3.0);
+        let surface = Surface::of(Primitive::Sphere { level: 4 }, DAffine3::IDENTITY)
+            .expect("it has a surface")
+            .seen_from(Some(eye));
+        let met = DVec3::new(0.6, 0.0, 0.8);
+        let seen = surface.normal(met + 0.05 * (met - eye), DVec3::Z).expect("it is met");
+        assert!(seen.distance(met) < 1e-12, "{seen}");
     }
 
     /// Vertices of these meshes have exact normals.

@@ -224,3 +224,24 @@ fn frames_that_do_not_go_together_are_refused() {
     mesh `FOLDER/b.obj`, line 1: three numbers are needed here, the line ends early
     ");
 }
+
+/// A perspective camera that chooses its distance does so once, too.
+#[test]
+fn a_perspective_camera_is_far_enough_in_every_frame() {
+    let text = "size = [64, 48]\n[camera]\nkind = \"perspective\"\nfield_of_view = 50\n[[object]]\nprimitive = \"torus\"\nlevel = 4\ntranslate = [1, 0, 0]\n\
+                [sequence]\nframes = 8\n[[sequence.motion]]\nof = \"camera\"\norbit = 360\n";
+    let moving = sequence(text);
+    let frames: Vec<Frame> = (0..8).map(|number| frame(&moving, number)).collect();
+    let outlines =
+        || frames.iter().flat_map(|f| &f.triangles).flat_map(|triangle| triangle.outline.unwrap());
+    let inside = |low: f64, high: f64| {
+        outlines().all(|p| {
+            let [x, y] = [p.x / 64.0, p.y / 48.0];
+            low <= x && x <= high && low <= y && y <= high
+        })
+    };
+    assert!(inside(0.0, 1.0) && !inside(0.2, 0.8));
+    // The eye goes around at one distance: the torus, beside the axis, comes nearer and goes away.
+    let seen: Vec<u64> = frames.iter().map(Frame::shaded_pixels).collect();
+    assert!(seen.iter().max() > seen.iter().min().map(|least| least + 20).as_ref(), "{seen:?}");
+}

@@ -5,6 +5,7 @@ use clap::Args;
 use serde::Serialize;
 use specula_datapath::Design;
 use specula_experiments::{KeepCost, Saving, Savings, SizeDelta, Synthesis, ablation, keep_costs};
+use specula_scene::perspective::Interpolation;
 use specula_scene::{LoadedScene, Needs};
 use specula_sim::{Progress, synthesise};
 use specula_spec::{CoreSpec, Method, Specialise};
@@ -47,6 +48,9 @@ pub struct Arguments {
 struct Report<'a> {
     scene: &'a str,
     method: &'static str,
+    /// How weights go along spans, where the camera is a perspective one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    interpolation: Option<Interpolation>,
     needs: &'a Needs,
     savings: &'a Savings,
     keeping: &'a [KeepCost],
@@ -67,6 +71,7 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
     let report = Report {
         scene: &scene.name,
         method: spec.method().name(),
+        interpolation: scene.frame.interpolation(),
         needs: &needs,
         savings: &savings,
         keeping: &keeping,
@@ -135,10 +140,11 @@ fn facts(report: &Report) -> Vec<[String; 2]> {
         ("one normal over each triangle", yes_or_no(needs.flat)),
         ("consistent normals would differ", yes_or_no(needs.consistent_normals_differ)),
     ];
+    let camera = report.interpolation.map(|way| ("camera", way.in_words().to_owned()));
     let weaker = (!needs.attenuated_lights.is_empty()).then(|| {
         ("lights that become weaker with distance", needs.attenuated_lights.len().to_string())
     });
-    let rows = rows.into_iter().chain(weaker).chain(wraps);
+    let rows = rows.into_iter().chain(camera).chain(weaker).chain(wraps);
     rows.map(|(name, value)| [name.to_owned(), value]).collect()
 }
 

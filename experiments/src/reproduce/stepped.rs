@@ -19,7 +19,7 @@ pub fn largest_off<const N: usize>(
 ) -> f64 {
     let mut triangles: Vec<(Edge, [Plane; N])> = Vec::new();
     for triangle in &frame.triangles {
-        let edge = triangle.outline.map_or_else(Edge::default, Edge::of_outline);
+        let edge = triangle.linear_outline().map_or_else(Edge::default, Edge::of_outline);
         let corners = triangle.normals.map(&values);
         let plane = |k: usize| Plane::new(&edge, corners.map(|corner| corner[k]));
         triangles.push((edge, std::array::from_fn(plane)));

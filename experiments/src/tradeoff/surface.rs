@@ -38,7 +38,7 @@ fn of_span(scene: &LoadedScene, span: &Span, given: &impl Given) -> Sums {
     };
     let phong = PhongSpan::new(frame, span);
     for pixel in 0..span.length {
-        let weights = span.weights(pixel);
+        let weights = frame.seen_weights(span, pixel);
         let normal =
             surface.normal(frame.position_at(span, weights), frame.normal_at(span, weights));
         let Some(normal) = normal else { continue };

@@ -156,24 +156,3 @@ pub(super) fn word<T: Copy>(
         }
     }
 }
-
-/// Checks a kind that the format could have several of, but of which only one exists so far.
-pub(super) fn only_kind(
-    source: &SourceFile,
-    given: Option<&Spanned<String>>,
-    made: &str,
-    planned: &[&str],
-) -> Result<(), SceneError> {
-    match given {
-        Some(kind) if kind.get_ref() != made => {
-            let help = format!("`kind` is \"{made}\", or left out");
-            let problem = if planned.contains(&kind.get_ref().as_str()) {
-                format!("the kind \"{}\" is not made yet", kind.get_ref())
-            } else {
-                format!("there is no kind \"{}\"", kind.get_ref())
-            };
-            Err(source.error(kind.span(), problem, help))
-        }
-        _ => Ok(()),
-    }
-}

@@ -1,5 +1,6 @@
 //! Scene files, in TOML; documented in `docs/scene-format.md`.
 mod build;
+mod camera;
 mod check;
 mod core;
 mod light;

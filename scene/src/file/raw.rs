@@ -52,6 +52,9 @@ pub(super) struct Camera {
     pub target: Option<Spanned<Vector>>,
     pub up: Option<Spanned<Vector>>,
     pub height: Option<Spanned<Number>>,
+    pub field_of_view: Option<Spanned<Number>>,
+    pub near: Option<Spanned<Number>>,
+    pub interpolation: Option<Spanned<String>>,
 }
 
 #[derive(Deserialize)]

@@ -62,6 +62,7 @@ fn span(
             facet,
             positions,
             outline: None,
+            perspective: None,
             cones: [0, 1, 2].map(cone),
             material: number,
         },

@@ -1,8 +1,10 @@
-//! The camera: orthographic, the eye at infinity.
+//! The camera: orthographic, the eye at infinity, unless it has a lens.
 use glam::{DMat3, DVec3};
 
+use crate::perspective::Interpolation;
+
 /// Share of the picture's smaller dimension that objects fill when the camera frames them itself.
-const FILLED: f64 = 0.9;
+pub(super) const FILLED: f64 = 0.9;
 
 /// Least sine of the angle between `up` and the eye; below it, the up direction is undefined.
 const LEAST_SINE: f64 = 1e-9;
@@ -14,13 +16,38 @@ pub struct Camera {
     pub direction: DVec3,
     /// The direction that points up in the picture, in world coordinates; not along `direction`.
     pub up: DVec3,
-    /// The world point at the picture's centre; if `None`, the middle of the objects.
+    /// The world point at the picture's centre; if `None`, the middle of the objects, or where a
+    /// perspective camera that chooses its distance has to look to see them in the picture's middle.
     pub target: Option<DVec3>,
     /// World units from the picture's bottom to its top; if `None`, what the objects need.
     pub height: Option<f64>,
     /// The position of the eye that sees highlights, in world coordinates; if `None`, it is at
     /// infinity along `direction`.
     pub eye: Option<DVec3>,
+    /// What makes it a perspective camera, in which `height` has no meaning; if `None`, lines of
+    /// sight are parallel.
+    pub lens: Option<Lens>,
+}
+
+/// What a perspective camera has in place of a height.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lens {
+    /// The angle from the picture's bottom to its top in degrees, 1 to 170.
+    pub field_of_view: f64,
+    /// The position of the eye that lines of sight start at, in world coordinates; if `None`, it is
+    /// along the camera's `direction` from its target, so far away that the objects are in the
+    /// picture.
+    pub eye: Option<DVec3>,
+    /// Distance from the eye to the near plane in world units, 1e-30 to 1e30; what is nearer is not
+    /// seen. If `None`, a thousandth of the distance to the target.
+    pub near: Option<f64>,
+    /// How weights of vertices go along spans.
+    pub interpolation: Interpolation,
+}
+
+impl Lens {
+    /// The field of view in degrees of a camera that does not state one.
+    pub const FIELD_OF_VIEW: f64 = 40.0;
 }
 
 impl Default for Camera {
@@ -32,6 +59,7 @@ impl Default for Camera {
             target: None,
             height: None,
             eye: None,
+            lens: None,
         }
     }
 }
@@ -39,7 +67,8 @@ impl Default for Camera {
 impl Camera {
     /// Whether it takes position and scale of the picture from the objects.
     pub fn frames_objects(&self) -> bool {
-        self.target.is_none() && self.height.is_none()
+        let has_distance = self.lens.map_or(self.height.is_some(), |lens| lens.eye.is_some());
+        self.target.is_none() && !has_distance
     }
 
     /// The rotation from world to view space; `None` if `up` is along `direction`, or either has no
@@ -100,9 +129,9 @@ impl Window {
     /// is at the middle of a pixel.
     pub fn with_on_a_pixel(self, point: DVec3, size: (u32, u32)) -> Window {
         let [x, y] = self.place(point, size);
-        let middle = |at: f64, pixels: u32| (at.floor() + 0.5).clamp(0.5, f64::from(pixels) - 0.5);
-        let right = (x - middle(x, size.0)) * self.pixel;
-        let up = (middle(y, size.1) - y) * self.pixel;
+        let [column, row] = nearest_centre([x, y], size);
+        let right = (x - column) * self.pixel;
+        let up = (row - y) * self.pixel;
         Window { centre: self.centre + DVec3::new(right, up, 0.0), ..self }
     }
 
@@ -113,6 +142,12 @@ impl Window {
         let y = f64::from(size.1) / 2.0 - (point.y - self.centre.y) / self.pixel;
         [x, y]
     }
+}
+
+/// The centre of the pixel of a picture of `size` that is nearest to a place in pixels.
+pub(super) fn nearest_centre([x, y]: [f64; 2], size: (u32, u32)) -> [f64; 2] {
+    let middle = |at: f64, pixels: u32| (at.floor() + 0.5).clamp(0.5, f64::from(pixels) - 0.5);
+    [middle(x, size.0), middle(y, size.1)]
 }
 
 #[cfg(test)]

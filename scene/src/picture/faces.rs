@@ -30,8 +30,9 @@ pub fn coned_faces(mesh: &Mesh) -> Vec<ConedFace> {
         material: defaults::material(),
     };
     let seen = ViewedObject::new(&object, DMat3::IDENTITY);
-    let all: Vec<TriangleId> =
-        (0..mesh.triangles.len()).map(|triangle| TriangleId { object: 0, triangle }).collect();
+    let all: Vec<TriangleId> = (0..mesh.triangles.len())
+        .map(|triangle| TriangleId { object: 0, triangle, piece: 0 })
+        .collect();
     let fans = seen.fans(0, &all);
     let coned = |name: &TriangleId| {
         let face = seen.face(name.triangle);

@@ -1,58 +1,20 @@
 //! Projects a scene to the frame that is to be shaded.
 use glam::{DAffine3, DMat3, DVec3};
-use thiserror::Error;
 
-use super::camera::Window;
 use super::coverage::{Coverage, Point};
+pub use super::error::PictureError;
 use super::limits;
 use super::normal_cones::{Face, VertexFans};
 use super::scene::{Light, LightSource, LightSpace, Object, Scene};
+use super::view::{Piece, View};
 use super::visibility::{Projected, visible_spans};
 use crate::mesh::normals::{direction, newell, normal_matrix};
 use crate::surface::Surface;
 use crate::{DirectionalLight, Facet, Frame, LocalLight, Span, Spot, Triangle, VertexCone};
 
-/// The reason why a scene cannot be drawn.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-pub enum PictureError {
-    /// The picture would be too large, or without pixels.
-    #[error("a picture of {0} x {1} pixels cannot be made")]
-    Size(u32, u32),
-    /// A size was requested for a scene of spans.
-    #[error("spans say themselves how large the picture is")]
-    OwnSize,
-    /// The camera's `up` points to the eye or away from it, or one of the two is 0.
-    #[error("the camera does not know what is up")]
-    Up,
-    /// All objects are at one point as the camera sees them.
-    #[error("the objects have no extent as the camera sees them, so it cannot choose a height")]
-    NoExtent,
-    /// Part of an object is too far outside the picture for exact arithmetic.
-    #[error("an object reaches more than 2 million pixels beyond the picture")]
-    TooClose,
-    /// No pixel's centre is covered.
-    #[error("nothing of the scene is visible")]
-    NothingVisible,
-}
-
-impl PictureError {
-    /// What would be right.
-    pub fn help(&self) -> String {
-        match self {
-            PictureError::Size(..) => limits::described(),
-            PictureError::OwnSize => "leave the size out".into(),
-            PictureError::Up => "give the camera an `up` that does not point along the direction to the eye".into(),
-            PictureError::NoExtent => "give the camera a `height`, or turn it so that it does not see the objects edge on".into(),
-            PictureError::TooClose => "give the camera a larger `height`, or split the object".into(),
-            PictureError::NothingVisible => {
-                "aim the camera's `target` at the objects, raise its `height`, or leave both out to have the objects framed".into()
-            }
-        }
-    }
-}
-
 impl Scene {
-    /// Projects the scene along parallel lines, determines what is visible and cuts it into spans.
+    /// Projects the scene, along parallel lines or to the eye of a perspective camera, determines what
+    /// is visible and cuts it into spans.
     ///
     /// Each pixel is sampled at its centre. Both sides of a surface are drawn, since meshes may
     /// have holes, and faces of either orientation. The normals of a triangle that is seen from
@@ -68,18 +30,14 @@ impl Scene {
         let rotation = self.camera.rotation().ok_or(PictureError::Up)?;
         let seen: Vec<ViewedObject<'_>> =
             self.objects.iter().map(|object| ViewedObject::new(object, rotation)).collect();
-        let bounds = bounds(&seen).ok_or(PictureError::NothingVisible)?;
-        let window =
-            Window::new(&self.camera, rotation, bounds, self.size).ok_or(PictureError::NoExtent)?;
-        let (window, (kept, spans)) = self.visible(&seen, window)?;
+        let (view, (kept, spans)) = self.visible(&seen, self.view(rotation, &seen)?)?;
         let fans: Vec<VertexFans> =
             seen.iter().enumerate().map(|(object, seen)| seen.fans(object, &kept)).collect();
-        let triangle = |&name: &TriangleId| {
-            let (seen, fans) = (&seen[name.object], &fans[name.object]);
-            seen.triangle(name, fans, snapped(self.places(seen, name.triangle, &window)))
-        };
-        let triangles = kept.iter().map(triangle).collect();
-        let view = ViewTransform { rotation, centre: window.centre };
+        let triangle =
+            |&name: &TriangleId| seen[name.object].triangle(name, &fans[name.object], &view);
+        let triangles: Vec<Triangle> = kept.iter().map(triangle).collect::<Result<_, _>>()?;
+        let spans = spans.into_iter().map(|span| with_weights_of(&triangles, span)).collect();
+        let view = ViewTransform { rotation, centre: view.middle() };
         Ok(Frame {
             width: self.size.0,
             height: self.size.1,
@@ -106,32 +64,40 @@ impl Scene {
         bounds(&seen).ok_or(PictureError::NothingVisible)
     }
 
-    /// The visible triangles and their spans, with the window that shows them.
+    /// The projection of the scene.
+    fn view(&self, rotation: DMat3, seen: &[ViewedObject<'_>]) -> Result<View, PictureError> {
+        let bounds = bounds(seen).ok_or(PictureError::NothingVisible)?;
+        View::new(&self.camera, rotation, (bounds, corners(seen)), self.size)
+    }
+
+    /// The visible triangles and their spans, with the view that shows them.
     ///
     /// If a camera that frames the objects itself shows none, since they lie between the middles of
-    /// pixels, as in pictures of a pixel or two, the window is moved until the largest triangle
+    /// pixels, as in pictures of a pixel or two, the picture is moved until the largest triangle
     /// covers one.
     fn visible(
         &self,
         seen: &[ViewedObject<'_>],
-        window: Window,
-    ) -> Result<(Window, Visible), PictureError> {
-        if let Some(visible) = self.visible_in(seen, &window)? {
-            return Ok((window, visible));
+        view: View,
+    ) -> Result<(View, Visible), PictureError> {
+        if let Some(visible) = self.visible_in(seen, &view)? {
+            return Ok((view, visible));
         }
-        let largest = self.camera.frames_objects().then(|| middle_of_largest(seen)).flatten();
-        let moved = window.with_on_a_pixel(largest.ok_or(PictureError::NothingVisible)?, self.size);
-        let visible = self.visible_in(seen, &moved)?.ok_or(PictureError::NothingVisible)?;
+        let nothing = || view.nothing_of(corners(seen));
+        let frames_objects = self.camera.frames_objects();
+        let largest = frames_objects.then(|| middle_of_largest(seen, &view)).flatten();
+        let moved = view.with_on_a_pixel(largest.ok_or_else(nothing)?);
+        let visible = self.visible_in(seen, &moved)?.ok_or_else(nothing)?;
         Ok((moved, visible))
     }
 
-    /// What a window shows; `None` if that is nothing.
+    /// What a view shows; `None` if that is nothing.
     fn visible_in(
         &self,
         seen: &[ViewedObject<'_>],
-        window: &Window,
+        view: &View,
     ) -> Result<Option<Visible>, PictureError> {
-        let (names, projected) = self.project(seen, window)?;
+        let (names, projected) = project(seen, view)?;
         let spans = visible_spans(&projected, self.size.0, self.size.1);
         Ok((!spans.is_empty()).then(|| keep_visible(spans, &names)))
     }
@@ -140,49 +106,52 @@ impl Scene {
     /// [`Frame`]. Empty if the camera is invalid.
     pub fn surfaces(&self) -> Vec<Option<Surface>> {
         let Some(rotation) = self.camera.rotation() else { return vec![] };
+        let eye = match self.camera.lens {
+            None => None,
+            Some(_) => {
+                let seen: Vec<ViewedObject<'_>> =
+                    self.objects.iter().map(|object| ViewedObject::new(object, rotation)).collect();
+                let Ok(view) = self.view(rotation, &seen) else { return vec![] };
+                view.eye()
+            }
+        };
         let of = |object: &Object| {
-            Surface::of(object.primitive?, DAffine3::from_mat3(rotation) * object.place)
+            let to_view = DAffine3::from_mat3(rotation) * object.place;
+            Some(Surface::of(object.primitive?, to_view)?.seen_from(eye))
         };
         self.objects.iter().map(of).collect()
     }
+}
 
-    /// The triangles that may be in the picture, each with its name.
-    fn project(
-        &self,
-        seen: &[ViewedObject<'_>],
-        window: &Window,
-    ) -> Result<(Vec<TriangleId>, Vec<Projected>), PictureError> {
-        let (mut names, mut projected) = (Vec::new(), Vec::new());
-        for (object, seen) in seen.iter().enumerate() {
-            for (triangle, corners) in seen.object.mesh.triangles.iter().enumerate() {
-                let places = self.places(seen, triangle, window);
-                if self.is_outside(places) {
-                    continue;
-                }
-                let points = snapped(places).ok_or(PictureError::TooClose)?;
+/// The triangles that may be in the picture, and pieces of them, each with its name.
+fn project(
+    seen: &[ViewedObject<'_>],
+    view: &View,
+) -> Result<(Vec<TriangleId>, Vec<Projected>), PictureError> {
+    let (mut names, mut projected) = (Vec::new(), Vec::new());
+    for (object, seen) in seen.iter().enumerate() {
+        for triangle in 0..seen.object.mesh.triangles.len() {
+            for (piece, Piece { points, nearness, .. }) in
+                view.pieces(seen.places(triangle))?.into_iter().enumerate()
+            {
                 if let Some(coverage) = Coverage::new(points) {
-                    let nearness = corners.map(|k| seen.positions[k as usize].z);
-                    names.push(TriangleId { object, triangle });
+                    names.push(TriangleId { object, triangle, piece });
                     projected.push(Projected { coverage, nearness });
                 }
             }
         }
-        Ok((names, projected))
     }
+    Ok((names, projected))
+}
 
-    /// The places of the corners of an object's triangle in the picture, in pixels.
-    fn places(&self, seen: &ViewedObject<'_>, triangle: usize, window: &Window) -> [[f64; 2]; 3] {
-        let corners = seen.object.mesh.triangles[triangle];
-        corners.map(|k| window.place(seen.positions[k as usize], self.size))
-    }
-
-    /// Whether all corners are beyond the same side of the picture.
-    fn is_outside(&self, places: [[f64; 2]; 3]) -> bool {
-        let beyond = |axis: usize, size: u32| {
-            let size = f64::from(size);
-            places.iter().all(|p| p[axis] < 0.0) || places.iter().all(|p| p[axis] > size)
-        };
-        beyond(0, self.size.0) || beyond(1, self.size.1)
+/// A span with weights of its triangle in place of those of the piece that it is cut from.
+fn with_weights_of(triangles: &[Triangle], span: Span) -> Span {
+    match &triangles[span.triangle].perspective {
+        None => span,
+        Some(seen) => {
+            let [start, end] = [span.start, span.end].map(|weights| seen.interpolated(weights));
+            Span { start, end, ..span }
+        }
     }
 }
 
@@ -248,11 +217,13 @@ impl Light {
     }
 }
 
-/// The name of an object's triangle.
+/// The name of an object's triangle, or of a piece of it.
 #[derive(Clone, Copy)]
 pub(super) struct TriangleId {
     pub object: usize,
     pub triangle: usize,
+    /// The number of the piece; 0 where it is whole.
+    pub piece: usize,
 }
 
 /// The visible triangles, and the spans that refer to them.
@@ -278,9 +249,14 @@ impl<'a> ViewedObject<'a> {
         self.object.mesh.triangles.iter().flatten().map(|&k| self.positions[k as usize])
     }
 
+    /// The corners of a triangle.
+    fn places(&self, triangle: usize) -> [DVec3; 3] {
+        self.object.mesh.triangles[triangle].map(|k| self.positions[k as usize])
+    }
+
     /// A triangle of the object, turned to the side to which its vertex normals point.
     pub fn face(&self, triangle: usize) -> Face {
-        let places = self.object.mesh.triangles[triangle].map(|k| self.positions[k as usize]);
+        let places = self.places(triangle);
         let face = newell(&places);
         let fallback = face.unwrap_or(DVec3::Z);
         let normals = self.object.mesh.normals[triangle]
@@ -302,39 +278,41 @@ impl<'a> ViewedObject<'a> {
         VertexFans::around(wanted, all, extent)
     }
 
-    /// The triangle as it is shaded, at these points of the picture, with its normals on the
-    /// visible side.
+    /// The triangle as it is shaded, where a view shows it, with its normals on the visible side.
     fn triangle(
         &self,
         name: TriangleId,
         fans: &VertexFans,
-        points: Option<[Point; 3]>,
-    ) -> Triangle {
+        view: &View,
+    ) -> Result<Triangle, PictureError> {
         let face = self.face(name.triangle);
+        let piece = view.pieces(face.places)?.into_iter().nth(name.piece);
+        let towards_eye = view.towards_eye(face.places[0]);
         let outward = face.outward.unwrap_or_else(|| face.normals.iter().sum());
-        let turn = if outward.z < 0.0 { -1.0 } else { 1.0 };
+        let turn = if outward.dot(towards_eye) < 0.0 { -1.0 } else { 1.0 };
         let cones = fans.cones(&face).map(|cone| VertexCone { axis: cone.axis * turn, ..cone });
-        Triangle {
+        Ok(Triangle {
             normals: face.normals.map(|n| n * turn),
-            facet: self.facet(name.triangle, &face),
+            facet: self.facet(name.triangle, &face, towards_eye),
             positions: face.places,
-            outline: points.map(|points| points.map(Point::in_pixels)),
+            outline: piece.as_ref().map(|piece| piece.points.map(Point::in_pixels)),
+            perspective: piece.and_then(|piece| piece.perspective),
             cones,
             material: name.object,
-        }
+        })
     }
 
     /// The polygon of a triangle, with its normal on the side from which the triangle is seen.
     ///
     /// A mirror reverses the orientation of corners. `to_normals` nevertheless keeps a normal
     /// outside, so the side is determined for the reversed triangle.
-    fn facet(&self, triangle: usize, face: &Face) -> Facet {
+    fn facet(&self, triangle: usize, face: &Face, towards_eye: DVec3) -> Facet {
         let facet = self.object.mesh.facets[triangle];
         let side = if self.place.matrix3.determinant() < 0.0 { -1.0 } else { 1.0 };
         let of_triangle = newell(&face.places).map(|normal| normal * side);
         let normal =
             direction_of(self.to_normals * facet.normal).or(of_triangle).unwrap_or(DVec3::Z);
-        let turn = if of_triangle.unwrap_or(normal).z < 0.0 { -1.0 } else { 1.0 };
+        let turn = if of_triangle.unwrap_or(normal).dot(towards_eye) < 0.0 { -1.0 } else { 1.0 };
         Facet { normal: normal * turn, middle: self.place.transform_point3(facet.middle) }
     }
 }
@@ -345,28 +323,23 @@ fn direction_of(normal: DVec3) -> Option<DVec3> {
     if largest > 0.0 { direction(normal / largest) } else { None }
 }
 
-/// The grid points nearest to places in pixels; `None` if one is beyond the grid.
-fn snapped(places: [[f64; 2]; 3]) -> Option<[Point; 3]> {
-    let [a, b, c] = places.map(|[x, y]| Point::snap(x, y));
-    Some([a?, b?, c?])
-}
-
 /// The middle of the triangle that is largest in the picture.
-fn middle_of_largest(seen: &[ViewedObject<'_>]) -> Option<DVec3> {
-    let corners =
-        |seen: &ViewedObject<'_>, triangle: &[u32; 3]| triangle.map(|k| seen.positions[k as usize]);
-    let all = seen
-        .iter()
-        .flat_map(|seen| seen.object.mesh.triangles.iter().map(move |t| corners(seen, t)));
-    let area = |&[a, b, c]: &[DVec3; 3]| (b - a).cross(c - a).z.abs();
+fn middle_of_largest(seen: &[ViewedObject<'_>], view: &View) -> Option<DVec3> {
+    let all =
+        seen.iter().flat_map(|seen| (0..seen.object.mesh.triangles.len()).map(|t| seen.places(t)));
+    let area = |&triangle: &[DVec3; 3]| view.seen_area(triangle);
     let largest = all.max_by(|a, b| area(a).total_cmp(&area(b)))?;
     Some(largest.iter().sum::<DVec3>() / 3.0)
 }
 
+/// All corners of triangles.
+fn corners(seen: &[ViewedObject<'_>]) -> impl Iterator<Item = DVec3> {
+    seen.iter().flat_map(ViewedObject::corners)
+}
+
 /// The smallest and largest coordinates of all corners, if there are any.
 fn bounds(seen: &[ViewedObject<'_>]) -> Option<[DVec3; 2]> {
-    let corners = seen.iter().flat_map(ViewedObject::corners).map(|p| [p, p]);
-    corners.reduce(|[low, high], [p, _]| [low.min(p), high.max(p)])
+    corners(seen).map(|p| [p, p]).reduce(|[low, high], [p, _]| [low.min(p), high.max(p)])
 }
 
 /// Keeps the triangles that spans refer to, in the order of their first use, and adapts the

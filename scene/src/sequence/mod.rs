@@ -87,7 +87,7 @@ impl Sequence {
         let all = (1..self.frames())
             .try_fold(first, |framing, index| Ok::<_, SceneError>(framing.and(extent(index)?)))?;
         (0..self.frames()).try_fold(all, |framing, index| {
-            framing.high_enough(&self.scene(index)?).map_err(wrong(index))
+            framing.enough_for(&self.scene(index)?).map_err(wrong(index))
         })
     }
 

@@ -3,7 +3,7 @@ use glam::DVec3;
 
 use super::keys::Keys;
 use super::movement::Movement;
-use crate::picture::camera::Camera;
+use crate::picture::camera::{Camera, Lens};
 use crate::picture::{Light, LightSource, Object, Scene};
 
 /// A motion of one thing over frames.
@@ -102,7 +102,8 @@ impl Change {
 
 fn pivot_of_camera(camera: &Camera) -> Pivot {
     let target = camera.target.unwrap_or(DVec3::ZERO);
-    Pivot { own: camera.eye.unwrap_or(target), orbit: target }
+    let eye = camera.lens.and_then(|lens| lens.eye).or(camera.eye);
+    Pivot { own: eye.unwrap_or(target), orbit: target }
 }
 
 fn moved_camera(camera: &Camera, by: Movement) -> Camera {
@@ -111,6 +112,7 @@ fn moved_camera(camera: &Camera, by: Movement) -> Camera {
         up: by.of_direction(camera.up),
         target: camera.target.map(|target| by.of_point(target)),
         eye: camera.eye.map(|eye| by.of_point(eye)),
+        lens: camera.lens.map(|lens| Lens { eye: lens.eye.map(|eye| by.of_point(eye)), ..lens }),
         ..camera.clone()
     }
 }

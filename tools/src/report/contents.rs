@@ -4,6 +4,7 @@ use std::time::Instant;
 use serde::{Serialize, Serializer};
 use specula_datapath::design::Size;
 use specula_experiments::{BoundShare, Savings};
+use specula_scene::perspective::Interpolation;
 use specula_spec::CoreSpec;
 use specula_testbench::{Errors, MovedInput, Violation, WorstQuantisation};
 
@@ -38,6 +39,9 @@ pub struct Report<'a> {
     pub width: u32,
     pub height: u32,
     pub spans: usize,
+    /// How weights go along spans, where the camera is a perspective one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub interpolation: Option<Interpolation>,
     pub pixels: u64,
     pub agrees: bool,
     pub mismatches: u64,
@@ -167,6 +171,7 @@ impl<'a> Report<'a> {
             width: bench.frame.width,
             height: bench.frame.height,
             spans: bench.frame.spans.len(),
+            interpolation: bench.frame.interpolation(),
             pixels: outcome.pixels,
             agrees: run.disagreement.is_none(),
             mismatches: comparison.mismatches,

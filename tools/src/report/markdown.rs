@@ -90,11 +90,9 @@ fn result(report: &Report) -> String {
         ("pixels that differ", report.mismatches.to_string()),
     ];
     let engine = ["engine".to_owned(), report.engine.to_owned()];
-    let rows = rows::sequence(report)
-        .into_iter()
-        .chain(subject.map(named))
-        .chain(rows::speed(report))
-        .chain([engine]);
+    let subject = subject.map(named).into_iter().chain(rows::camera(report));
+    let rows = rows::sequence(report).into_iter().chain(subject);
+    let rows = rows.chain(rows::speed(report)).chain([engine]);
     let rows = rows.chain(rows::stream(report)).chain(rows::made_for(report));
     let rows = rows.chain(rows::device(report));
     let rows: Vec<[String; 2]> = rows.chain(rows::formats(report)).collect();

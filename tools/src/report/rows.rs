@@ -37,6 +37,12 @@ pub fn stream(report: &Report) -> impl Iterator<Item = [String; 2]> {
     pauses.into_iter().chain(stream)
 }
 
+/// What projection the picture has, if its camera is a perspective one.
+pub fn camera(report: &Report) -> Option<[String; 2]> {
+    let interpolation = report.interpolation?;
+    Some(["camera".to_owned(), interpolation.in_words().to_owned()])
+}
+
 /// The device and the share of it that the core takes, if the user named a device.
 pub fn device(report: &Report) -> Option<[String; 2]> {
     report.fitted.as_ref().map(|fitted| ["device".to_owned(), fitted.in_words()])

@@ -86,3 +86,21 @@ fn cells_are_counted_if_asked_for() {
     );
     assert!(place.succeeds(&arguments[..7]).contains("MULT18X18D"));
 }
+
+/// A perspective camera is told of, and what it does with weights; others are not.
+#[test]
+fn perspective_is_named() {
+    let place = Place::new();
+    let scene = |camera: &str| format!("[camera]\n{camera}[[object]]\nprimitive = \"torus\"\n");
+    place.write("eye.toml", scene("kind = \"perspective\"\ninterpolation = \"perspective\"\n"));
+    let text = place.succeeds(&["needs", "eye.toml", "--size", "64x48"]);
+    let line = "perspective; weights are perspective-correct at the ends of spans";
+    assert!(text.contains(line), "{text}");
+    let text = place.succeeds(&["needs", "eye.toml", "--size", "64x48", "--json"]);
+    let report: Value = serde_json::from_str(&text).expect("it prints JSON");
+    assert_eq!(report["interpolation"], "perspective");
+    place.succeeds(&["run", "eye.toml", "--size", "64x48"]);
+    assert_eq!(place.report("out/eye")["interpolation"], "perspective");
+    let text = place.succeeds(&["needs", "torus", "--size", "64x48", "--json"]);
+    assert!(!text.contains("interpolation"), "{text}");
+}

@@ -7,10 +7,15 @@ use specula_spec::phong::Places;
 use crate::exact::formula::illumination::{self, Illumination};
 use crate::exact::formula::point_light;
 
+/// Barycentric weights at a pixel of a span.
+pub(super) type Weights = fn(&Frame, &Span, u32) -> [f64; 3];
+
 /// Directions to lights and eye along one span.
 pub(super) struct Directions<'a> {
     frame: &'a Frame,
     span: &'a Span,
+    /// Where pixels are.
+    weights: Weights,
     /// The wraps; `None` if directions are true.
     wraps: Option<Wraps>,
 }
@@ -22,8 +27,13 @@ struct Wraps {
 }
 
 impl<'a> Directions<'a> {
-    /// The directions of a span.
-    pub fn new(frame: &'a Frame, span: &'a Span, places: Places) -> Directions<'a> {
+    /// The directions of a span whose pixels are at these `weights`.
+    pub fn new(
+        frame: &'a Frame,
+        span: &'a Span,
+        places: Places,
+        weights: Weights,
+    ) -> Directions<'a> {
         let wraps = || Wraps {
             eye: frame.eye.map(|eye| Wrap::to_eye(frame, span, eye)),
             lights: frame
@@ -32,7 +42,12 @@ impl<'a> Directions<'a> {
                 .map(|light| Wrap::to_light(frame, span, light))
                 .collect(),
         };
-        Directions { frame, span, wraps: (places == Places::Wrapped).then(wraps) }
+        Directions { frame, span, weights, wraps: (places == Places::Wrapped).then(wraps) }
+    }
+
+    /// Barycentric weights at pixel `i`.
+    pub fn at(&self, i: u32) -> [f64; 3] {
+        (self.weights)(self.frame, self.span, i)
     }
 
     /// The direction from pixel `i` to the eye; `None` for an eye at that very point.
@@ -40,14 +55,14 @@ impl<'a> Directions<'a> {
         match self.wraps.as_ref().and_then(|wraps| wraps.eye.as_ref()) {
             Some(wrap) => has_direction(wrap)
                 .then(|| point_light::wrapped(wrap.axis, wrap.chord(self.span.parameter(i)))),
-            None => illumination::view(self.frame, self.span, self.span.weights(i)),
+            None => illumination::view(self.frame, self.span, self.at(i)),
         }
     }
 
     /// Every light as seen from pixel `i`, those at infinity first; `None` for a light at that very
     /// point or, wrapped around a spot's axis, 90 degrees or more from the axis.
     pub fn lights(&self, i: u32) -> impl Iterator<Item = Option<Illumination>> {
-        let position = self.frame.position_at(self.span, self.span.weights(i));
+        let position = self.frame.position_at(self.span, self.at(i));
         let t = self.span.parameter(i);
         let at_infinity = self.frame.lights.len();
         (0..at_infinity + self.frame.local_lights.len()).map(move |index| {

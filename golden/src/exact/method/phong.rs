@@ -17,6 +17,9 @@ use crate::exact::formula::shape::power;
 /// and normalised at each pixel; the shade is ambient + Σ kd max(N·L, 0) + ks max(R·L, 0)^n with R
 /// = 2(N·V)N - V [methods A3, A5, B1]. A spec may ask for one of Blinn's lobes in place of the last
 /// term, and for wrapped directions.
+///
+/// Exact shading interpolates perspective-correctly at every pixel, a spec's method as the span's
+/// ends say and linearly between them.
 pub struct PhongSpan<'a> {
     frame: &'a Frame,
     span: &'a Span,
@@ -29,17 +32,23 @@ pub struct PhongSpan<'a> {
 impl<'a> PhongSpan<'a> {
     /// Sets up a span of a frame for Phong's own highlight and true directions.
     pub fn new(frame: &'a Frame, span: &'a Span) -> Self {
-        PhongSpan::with(Highlight::Reflection, Places::Exact, frame, span)
+        let directions = Directions::new(frame, span, Places::Exact, Frame::seen_weights);
+        PhongSpan::with(Highlight::Reflection, directions, frame, span)
     }
 
     /// Sets up a span of a frame for the highlight and the directions that a spec asks for.
     pub fn of_spec(spec: &PhongSpec, frame: &'a Frame, span: &'a Span) -> Self {
-        PhongSpan::with(spec.highlight, spec.places, frame, span)
+        let directions = Directions::new(frame, span, spec.places, |_, span, i| span.weights(i));
+        PhongSpan::with(spec.highlight, directions, frame, span)
     }
 
-    fn with(highlight: Highlight, places: Places, frame: &'a Frame, span: &'a Span) -> Self {
+    fn with(
+        highlight: Highlight,
+        directions: Directions<'a>,
+        frame: &'a Frame,
+        span: &'a Span,
+    ) -> Self {
         let shininess = frame.material(span).shininess;
-        let directions = Directions::new(frame, span, places);
         PhongSpan {
             frame,
             span,
@@ -53,7 +62,7 @@ impl<'a> PhongSpan<'a> {
     /// Pixel `i`, from 0 to length - 1: 0..=255 LSB a channel. Where the interpolated normal
     /// vanishes, there is only ambient light.
     pub fn pixel(&self, i: u32) -> [f64; 3] {
-        match unit(self.frame.normal_at(self.span, self.span.weights(i))) {
+        match unit(self.frame.normal_at(self.span, self.directions.at(i))) {
             Some(normal) => self.pixel_with(normal, i),
             None => self.coefficients.sum(|_| Amounts::default()),
         }

@@ -12,7 +12,7 @@ use crate::loops::{EdgeArcs, Line, Scheme};
 /// [lecture, §4.4, step ii].
 pub struct ArcEdges<'a, S> {
     frame: &'a Frame,
-    /// The edges of each triangle; none where it has no outline.
+    /// The edges of each triangle; none where it has no outline along which normals turn.
     edges: Vec<Option<EdgeArcs>>,
     scheme: PhantomData<S>,
 }
@@ -22,7 +22,7 @@ impl<'a, S: Scheme<f32>> SetUp<'a> for ArcEdges<'a, S> {
 
     fn new(mesh: &'a Mesh<'a>) -> Self {
         let edges = |triangle: &Triangle| {
-            triangle.outline.map(|outline| EdgeArcs::new(outline, triangle.normals))
+            triangle.linear_outline().map(|outline| EdgeArcs::new(outline, triangle.normals))
         };
         let edges = mesh.frame.triangles.iter().map(edges).collect();
         ArcEdges { frame: mesh.frame, edges, scheme: PhantomData }

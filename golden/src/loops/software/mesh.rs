@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use glam::DVec3;
-use specula_scene::{Frame, Span};
+use specula_scene::Frame;
 
 use crate::loops::Edge;
 
@@ -18,8 +18,6 @@ pub struct Mesh<'a> {
     pub(super) vertices: Vec<Point>,
     /// The vertices of each triangle.
     pub(super) corners: Vec<[usize; 3]>,
-    /// Spans of triangles without outline.
-    given: Vec<&'a Span>,
 }
 
 /// A point of a surface at which light is computed.
@@ -47,17 +45,13 @@ impl<'a> Mesh<'a> {
                 })
             }));
         }
-        let given = |span: &&Span| frame.triangles[span.triangle].outline.is_none();
-        Mesh { frame, vertices, corners, given: frame.spans.iter().filter(given).collect() }
+        Mesh { frame, vertices, corners }
     }
 
-    /// The edge of each triangle, before its first line.
-    pub(super) fn edges(&self) -> Vec<Edge> {
-        let of_outline = |outline: Option<_>| outline.map_or_else(Edge::default, Edge::of_outline);
-        let outlines = self.frame.triangles.iter().map(|triangle| triangle.outline);
-        let mut edges: Vec<Edge> = outlines.map(of_outline).collect();
-        self.given.iter().for_each(|span| edges[span.triangle] = Edge::of_span(span));
-        edges
+    /// The edge of each triangle, before its first line; `None` where weights are not linear in it on
+    /// the screen, or where only spans are known.
+    pub(super) fn edges(&self) -> impl Iterator<Item = Option<Edge>> {
+        self.frame.triangles.iter().map(|triangle| triangle.linear_outline().map(Edge::of_outline))
     }
 }
 
