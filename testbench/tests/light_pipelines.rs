@@ -1,6 +1,7 @@
 //! Lights with a pipeline each, and lights or components that take turns in one: the same pixels.
 use glam::DVec3;
 use specula_datapath::design::Size;
+use specula_scene::limits::MOST_LIGHTS;
 use specula_scene::{DirectionalLight, Frame, load};
 use specula_spec::phong::{Highlight, Places};
 use specula_spec::{
@@ -54,6 +55,31 @@ fn every_methods_lights_and_components_can_take_turns() {
         for core in [&spec.general(), &spec] {
             take_turns(&loaded.frame, core);
             components_take_turns(&loaded.frame, core);
+        }
+    }
+}
+
+/// As many lights as a scene may have, of all kinds: the pixels of rust-hdl and of the fast engine
+/// are those of the model, and within their bounds, whether lights take turns or not.
+#[test]
+fn eight_lights_are_shaded() {
+    let mut loaded = load("lamps", Some((24, 18))).unwrap();
+    let others = MOST_LIGHTS - loaded.frame.lights.len() - loaded.frame.local_lights.len();
+    let light = |k: usize| DirectionalLight {
+        direction: DVec3::new(0.3 * k as f64 - 0.6, 0.2 * k as f64 - 0.5, 1.0).normalize(),
+        colour: [0.2, 0.05 * k as f64, 0.1],
+    };
+    loaded.frame.lights.extend((0..others).map(light));
+    for method in [Method::Lyon, Method::Phong, Method::Duff] {
+        let mut spec = loaded.core_spec(Some(method)).unwrap();
+        assert_eq!(spec.parameters.lights, MOST_LIGHTS);
+        for pipelines in [LightPipelines::Each, LightPipelines::Shared] {
+            spec.parameters.light_pipelines = pipelines;
+            let bench = Bench::new(&loaded.frame, &spec, "core").unwrap();
+            let [fast, reference] = [EngineKind::Fast, EngineKind::RustHdl]
+                .map(|engine| bench.run(engine, &mut |_, _| ()).unwrap());
+            assert_eq!((fast.fault(), reference.fault()), (None, None), "{}", method.name());
+            assert!(fast.simulated == reference.simulated, "{}", method.name());
         }
     }
 }

@@ -9,7 +9,7 @@ use super::premise::{EYE_AT_INFINITY, LIGHTS, LIGHTS_AT_INFINITY, Premise};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Baseline {
-    /// Any scene: four lights, the longest spans and the largest exponent that exist.
+    /// Any scene: four lights or the scene's own, if it has more, the longest spans and the largest exponent that exist.
     Nothing,
     /// The scenes of a renderer: as many lights of the same kinds as the scene has, spans as wide
     /// as the picture, exponents up to 128.

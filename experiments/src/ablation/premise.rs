@@ -1,6 +1,6 @@
 //! Premises: what may be known of a scene before any of its inputs is.
 use specula_scene::Needs;
-use specula_scene::limits::{LARGEST_SHININESS, LONGEST_SPAN, MOST_LIGHTS};
+use specula_scene::limits::{LARGEST_SHININESS, LONGEST_SPAN};
 use specula_scene::needs::LocalKind;
 
 /// A fact about a scene that may be known before any of its inputs is.
@@ -11,6 +11,14 @@ pub(super) struct Premise {
     pub relax: fn(&mut Needs),
     /// The knowledge as a table's text.
     pub known: fn(&Needs) -> String,
+}
+
+/// The lights of a general core, unless the scene has more of them.
+const USUAL_LIGHTS: usize = 4;
+
+/// The lights of a general core for a scene.
+fn general_lights(needs: &Needs) -> usize {
+    needs.lights.max(USUAL_LIGHTS)
 }
 
 /// Names of the premises that a renderer's core is built with.
@@ -25,10 +33,13 @@ pub(super) const PREMISES: [Premise; 11] = [
         safe: "the scene has no more lights",
         // Lights at places come last, so more lights at infinity would take their names.
         relax: |needs| {
-            needs.lights = if needs.local_lights.is_empty() { MOST_LIGHTS } else { needs.lights }
+            if needs.local_lights.is_empty() {
+                needs.lights = general_lights(needs);
+            }
         },
         known: |needs| {
-            format!("{} of {MOST_LIGHTS} pipelines for lights", MOST_LIGHTS - needs.lights)
+            let all = general_lights(needs);
+            format!("{} of {all} pipelines for lights", all - needs.lights)
         },
     },
     Premise {

@@ -15,8 +15,8 @@ pub(super) const LONGEST: u32 = 400;
 const LONG: f64 = 0.02;
 /// Largest number of spans of a scene.
 pub(super) const MAX_SPANS: usize = 4;
-/// Largest number of lights of a scene.
-pub(super) const MAX_LIGHTS: usize = specula_scene::limits::MOST_LIGHTS;
+/// Largest number of lights of a scene: what further ones add to a sum is no new arithmetic.
+pub(super) const MAX_LIGHTS: usize = 4;
 
 /// How many bits finer than the coarsest formats the coarse ones are.
 const COARSE: i64 = 4;

@@ -3,6 +3,7 @@ use std::path::Path;
 
 use toml::Spanned;
 
+use super::sequence::SequenceTable;
 use super::shown::Shown;
 use super::values::{Integer, Triple};
 
@@ -28,8 +29,8 @@ pub(super) fn build(
     Ok(match table {
         None => Shown::Objects(scene),
         Some(table) => {
-            let table = sequence::sequence(source, &table, &scene)?;
-            Shown::Moving(scene, table)
+            let SequenceTable { frames, motions } = sequence::sequence(source, &table, &scene)?;
+            Shown::Moving { scene, frames, script: motions.into() }
         }
     })
 }
