@@ -3,10 +3,12 @@ use std::path::Path;
 
 use crate::file::{CoreTable, SceneFile, SourceFile, View};
 use crate::mesh::error::listed;
-use crate::mesh::{self, EXTENSIONS, Mesh, Warning};
-use crate::picture::camera::Camera;
+use crate::mesh::{self, EXTENSIONS, Mesh, Model, Movement, Warning};
 use crate::picture::{Object, Scene};
-use crate::{Frame, Needs, SceneError, Sequence, SequenceFrame, Surface, builtin, defaults};
+use crate::sequence::Script;
+use crate::{
+    Frame, Needs, PartialMaterial, SceneError, Sequence, SequenceFrame, Surface, builtin, defaults,
+};
 
 /// A scene with its visible spans, and its table for the core.
 #[derive(Clone, Debug)]
@@ -53,7 +55,7 @@ pub const LONGEST_NAME: usize = 48;
 /// (`.obj`, `.ply`, `.stl`, `.glb`). `size` in pixels takes precedence over the scene's own.
 ///
 /// A mesh fills the picture, seen from the front, a little to the right and above, with one light
-/// and a grey material.
+/// and a grey material, as far as its file does not say otherwise.
 ///
 /// # Errors
 /// A [`SceneError`] that says what is wrong with the name, the file or the picture, where, and what
@@ -66,8 +68,8 @@ pub fn load(scene: &str, size: Option<(u32, u32)>) -> Result<LoadedScene, SceneE
     }
     let name = module_name(path);
     if mesh::extension(path).is_some() {
-        let (mesh, warnings) = Mesh::read(path)?;
-        return finish(scene, &name, SceneFile::without_text(mesh_scene(mesh), warnings), size);
+        let (model, warnings) = Model::read(path)?;
+        return finish(scene, &name, model_scene(model, warnings), size);
     }
     if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) {
         let source = SourceFile::read("scene file", path)?;
@@ -114,19 +116,33 @@ fn finish(
 }
 
 /// The scene that shows a mesh by itself.
-fn mesh_scene(mesh: Mesh) -> Scene {
-    Scene {
+fn model_scene(model: Model, warnings: Vec<Warning>) -> SceneFile {
+    let Model { mesh, lights, camera, movement } = model;
+    let scene = Scene {
         size: defaults::SIZE,
         background: defaults::BACKGROUND,
-        camera: Camera::default(),
+        camera: camera.unwrap_or_default(),
         ambient: defaults::AMBIENT,
-        lights: vec![defaults::light()],
-        objects: vec![Object {
-            mesh: mesh.into(),
-            primitive: None,
-            place: glam::DAffine3::IDENTITY,
-            material: defaults::material(),
-        }],
+        lights: if lights.is_empty() { vec![defaults::light()] } else { lights },
+        objects: Vec::new(),
+    };
+    match movement {
+        None => SceneFile::without_text(Scene { objects: vec![object(mesh)], ..scene }, warnings),
+        Some(Movement { meshes, frames, motions }) => {
+            let objects = meshes.into_iter().map(object).collect();
+            let script = Script::Nodes(motions.into());
+            SceneFile::moving(Scene { objects, ..scene }, frames, script, warnings)
+        }
+    }
+}
+
+/// A mesh as its file has it.
+fn object(mesh: Mesh) -> Object {
+    Object {
+        mesh: mesh.into(),
+        primitive: None,
+        place: glam::DAffine3::IDENTITY,
+        material: PartialMaterial::default(),
     }
 }
 

@@ -2,6 +2,8 @@
 //! existing core can shade the frame.
 mod together;
 
+use std::collections::BTreeSet;
+
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
@@ -165,7 +167,7 @@ impl Needs {
             smallest_shininess: shininess().min().unwrap_or(1),
             largest_shininess: shininess().max().unwrap_or(1),
             uneven_shininess: shininess().find(|n| !n.is_power_of_two()),
-            materials: different(used()),
+            materials: different(frame),
             brightest_coefficient: brightest_coefficient(frame),
             contributions: Contributions::of(frame),
             flat: seen(frame).all(is_flat),
@@ -220,10 +222,12 @@ const ROUNDING: f64 = 1e-12;
 /// .00024 LSB.
 const FLAT: f64 = 1.0 / (1 << 20) as f64;
 
-/// How many of these materials differ from all before them.
-fn different<'a>(materials: impl Iterator<Item = &'a Material>) -> usize {
+/// How many materials of a frame's spans differ from all others.
+fn different(frame: &Frame) -> usize {
+    let indices = frame.spans.iter().map(|span| frame.triangles[span.triangle].material);
+    let indices: BTreeSet<usize> = indices.collect();
     let mut seen: Vec<&Material> = vec![];
-    for material in materials {
+    for material in indices.into_iter().map(|index| &frame.materials[index]) {
         if !seen.contains(&material) {
             seen.push(material);
         }

@@ -4,6 +4,7 @@ use std::path::Path;
 use glam::DVec3;
 use toml::Spanned;
 
+use super::sequence::SequenceTable;
 use super::shown::Shown;
 use super::values::{Integer, Number, Triple};
 
@@ -29,8 +30,8 @@ pub(super) fn build(
     Ok(match table {
         None => Shown::Objects(scene),
         Some(table) => {
-            let table = sequence::sequence(source, &table, &scene)?;
-            Shown::Moving(scene, table)
+            let SequenceTable { frames, motions } = sequence::sequence(source, &table, &scene)?;
+            Shown::Moving { scene, frames, script: motions.into() }
         }
     })
 }

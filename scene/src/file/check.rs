@@ -19,10 +19,20 @@ pub(super) fn colour(
     range: RangeInclusive<f64>,
     default: Colour,
 ) -> Result<Colour, SceneError> {
-    let Some(given) = given else { return Ok(default) };
+    Ok(given_colour(source, name, given, range)?.unwrap_or(default))
+}
+
+/// A colour whose components are all in `range`, if there is one.
+pub(super) fn given_colour(
+    source: &SourceFile,
+    name: &str,
+    given: Option<&Spanned<Triple>>,
+    range: RangeInclusive<f64>,
+) -> Result<Option<Colour>, SceneError> {
+    let Some(given) = given else { return Ok(None) };
     let colour = given.get_ref().0;
     match colour.iter().find(|c| !range.contains(c)) {
-        None => Ok(colour),
+        None => Ok(Some(colour)),
         Some(component) => {
             let help = format!(
                 "components of `{name}` are {} to {}; 1 is full scale of the picture",

@@ -20,10 +20,9 @@ pub use self::source::SourceFile;
 use crate::mesh::Warning;
 use crate::picture::Scene;
 use crate::picture::project::PictureError;
-use crate::sequence::{MovingScene, Sequence, SequenceFrame};
+use crate::sequence::{MovingScene, Script, Sequence, SequenceFrame};
 use crate::{Frame, SceneError, Surface};
 
-use self::sequence::SequenceTable;
 use shown::Shown;
 
 /// A pointer to the documentation of the keys.
@@ -63,6 +62,17 @@ impl SceneFile {
         SceneFile { shown: Shown::Objects(scene), core: None, warnings, camera: None }
     }
 
+    /// A scene that moves over `frames` frames, at least one, and does not come from a scene file.
+    pub fn moving(
+        scene: Scene,
+        frames: u32,
+        script: Script,
+        warnings: Vec<Warning>,
+    ) -> SceneFile {
+        let shown = Shown::Moving { scene, frames, script };
+        SceneFile { shown, core: None, warnings, camera: None }
+    }
+
     /// What is to be shaded, in a picture of `size` pixels if given; `name` is the scene's name in
     /// errors.
     ///
@@ -75,9 +85,8 @@ impl SceneFile {
                 let frame = scene.frame().map_err(|error| self.error(name, error))?;
                 Ok(View { frame, surfaces: scene.surfaces(), sequence: None })
             }
-            (Shown::Moving(scene, table), size) => {
-                let SequenceTable { frames, motions } = table.clone();
-                let scene = MovingScene::new(sized(scene, size), frames, motions)
+            (Shown::Moving { scene, frames, script }, size) => {
+                let scene = MovingScene::new(sized(scene, size), *frames, script.clone())
                     .map_err(|error| self.error(name, error))?;
                 let sequence = Sequence::new(name, scene);
                 let SequenceFrame { frame, surfaces } = sequence.frame(0)?;

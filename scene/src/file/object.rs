@@ -12,7 +12,7 @@ use crate::mesh::error::listed;
 use crate::mesh::{MAX_TRIANGLES, Mesh, Warning};
 use crate::picture::Object;
 use crate::primitive::{self, Primitive};
-use crate::{Material, SceneError, defaults};
+use crate::{PartialMaterial, SceneError};
 
 /// The largest component of a material's specular colour; Lyon's figure 9 uses 400/255.
 const BRIGHTEST_SPECULAR: f64 = 4.0;
@@ -176,26 +176,19 @@ fn rotation(degrees: DVec3) -> DMat3 {
     about_z * about_y * about_x
 }
 
-pub(super) fn material(source: &SourceFile, raw: &raw::Material) -> Result<Material, SceneError> {
-    let default = defaults::material();
-    let diffuse =
-        check::colour(source, "diffuse", raw.diffuse.as_ref(), 0.0..=1.0, default.diffuse)?;
-    Ok(Material {
-        // A surface reflects ambient light as it does a lamp's, unless the file says otherwise.
-        ambient: check::colour(source, "ambient", raw.ambient.as_ref(), 0.0..=1.0, diffuse)?,
-        diffuse,
-        specular: check::colour(
-            source,
-            "specular",
-            raw.specular.as_ref(),
-            0.0..=BRIGHTEST_SPECULAR,
-            default.specular,
-        )?,
-        shininess: match &raw.shininess {
-            Some(shininess) => {
-                check::integer(source, "shininess", shininess, 1..=LARGEST_SHININESS)?
-            }
-            None => default.shininess,
-        },
+/// The keys of a material that a table gives.
+pub(super) fn material(
+    source: &SourceFile,
+    raw: &raw::Material,
+) -> Result<PartialMaterial, SceneError> {
+    let colour = |name, given: &Option<_>, brightest| {
+        check::given_colour(source, name, given.as_ref(), 0.0..=brightest)
+    };
+    let shininess = |given| check::integer(source, "shininess", given, 1..=LARGEST_SHININESS);
+    Ok(PartialMaterial {
+        diffuse: colour("diffuse", &raw.diffuse, 1.0)?,
+        ambient: colour("ambient", &raw.ambient, 1.0)?,
+        specular: colour("specular", &raw.specular, BRIGHTEST_SPECULAR)?,
+        shininess: raw.shininess.as_ref().map(shininess).transpose()?,
     })
 }

@@ -80,7 +80,7 @@ fn span(
                 .as_ref()
                 .map_or(Ok([0.0, 1.0, 0.0]), |given| weights(source, "end", given))?,
         },
-        material: object::material(source, &raw.material)?,
+        material: object::material(source, &raw.material)?.complete(),
     })
 }
 

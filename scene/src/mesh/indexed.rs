@@ -1,7 +1,7 @@
 //! A mesh in memory.
 use glam::DVec3;
 
-use crate::Facet;
+use crate::{Facet, PartialMaterial};
 
 /// A triangle mesh with unit normals at the corners of its triangles.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,4 +16,9 @@ pub struct Mesh {
     /// The polygon that each triangle belongs to, with its normal on the side from which the
     /// triangle's corners go counter-clockwise; triangles of one polygon have the same.
     pub facets: Vec<Facet>,
+    /// What the file says about its surfaces, in the order of their first use; empty if it says
+    /// nothing.
+    pub materials: Vec<PartialMaterial>,
+    /// The material of each triangle, as an index of `materials`; empty if that is.
+    pub material_indices: Vec<u32>,
 }

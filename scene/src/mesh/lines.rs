@@ -82,6 +82,13 @@ pub struct Words<'a> {
     rest: &'a [u8],
 }
 
+impl<'a> Words<'a> {
+    /// What follows the words that were returned.
+    pub fn rest(&self) -> &'a [u8] {
+        self.rest
+    }
+}
+
 /// The words of a line.
 pub fn words(line: &[u8]) -> Words<'_> {
     Words { rest: line }

@@ -8,7 +8,7 @@ use super::normals::{direction, newell, vertex_normals};
 use super::triangulate::{MAX_CROSSINGS, Triangulation, triangulate};
 use super::warning::Notices;
 use super::weld::weld;
-use crate::Facet;
+use crate::{Facet, PartialMaterial};
 
 /// What happens to a corner without a usable normal.
 const INSTEAD: &str = "corners that name it get the normal that the faces around their vertex make";
@@ -33,6 +33,12 @@ pub struct Polygons {
     corners: Vec<Corner>,
     /// For each face its end in `corners`.
     ends: Vec<usize>,
+    /// Materials, to which faces refer; empty for a file that states none.
+    pub materials: Vec<PartialMaterial>,
+    /// The material of the faces that are added next, an index of `materials`.
+    pub material: u32,
+    /// For each face its material.
+    face_materials: Vec<u32>,
 }
 
 impl Polygons {
@@ -44,6 +50,7 @@ impl Polygons {
             self.corners.truncate(start);
         } else {
             self.ends.push(self.corners.len());
+            self.face_materials.push(self.material);
         }
     }
 
@@ -160,7 +167,8 @@ impl Polygons {
                     )
                 });
             }
-            split.push(corners, normal, triangulation, self.positions.len());
+            let material = self.face_materials[face];
+            split.push(Face { corners, normal, material }, triangulation, self.positions.len());
             if split.pieces.len() > MAX_TRIANGLES {
                 let corners_left = self.corners.len() - self.ends[face];
                 let faces_left = self.ends.len() - face - 1;
@@ -192,8 +200,38 @@ impl Polygons {
         let facets: Vec<Facet> = flats.iter().map(|flat| flat.facet(&self.positions)).collect();
         let facets = pieces.iter().map(|p| facets[p.flat]).collect();
         self.positions.extend(crossings);
-        Mesh { positions: self.positions, triangles, normals, facets }
+        let stated = pieces.iter().map(|p| flats[p.flat].material);
+        let (materials, material_indices) = used_materials(&self.materials, stated);
+        Mesh { positions: self.positions, triangles, normals, facets, materials, material_indices }
     }
+}
+
+/// The materials that are used, in the order of their first use, and for each triangle its own; both
+/// are empty if nothing is said of any.
+fn used_materials(
+    all: &[PartialMaterial],
+    of_triangles: impl Iterator<Item = u32>,
+) -> (Vec<PartialMaterial>, Vec<u32>) {
+    let mut used: Vec<PartialMaterial> = Vec::new();
+    let mut renamed = vec![None; all.len()];
+    let of_triangles = of_triangles.map_while(|material| {
+        let known = renamed.get_mut(material as usize)?;
+        Some(*known.get_or_insert_with(|| {
+            used.push(all[material as usize].clone());
+            // There are no more materials than a file of 2^30 bytes names.
+            (used.len() - 1) as u32
+        }))
+    });
+    let of_triangles: Vec<u32> = of_triangles.collect();
+    let says_nothing = used.iter().all(|material| *material == PartialMaterial::default());
+    if says_nothing { (Vec::new(), Vec::new()) } else { (used, of_triangles) }
+}
+
+/// A face that is to be split, with its plane.
+struct Face<'c> {
+    corners: &'c [Corner],
+    normal: DVec3,
+    material: u32,
 }
 
 /// All faces as triangles.
@@ -209,6 +247,7 @@ struct Flat {
     /// Its vertices, each once.
     vertices: Vec<u32>,
     normal: DVec3,
+    material: u32,
 }
 
 impl Flat {
@@ -234,13 +273,8 @@ impl Split {
     }
 
     /// Adds a face; `vertices` is the number of vertices in the file.
-    fn push(
-        &mut self,
-        corners: &[Corner],
-        normal: DVec3,
-        triangulation: Triangulation,
-        vertices: usize,
-    ) {
+    fn push(&mut self, face: Face<'_>, triangulation: Triangulation, vertices: usize) {
+        let Face { corners, normal, material } = face;
         let (flat, first_crossing) = (self.flats.len(), vertices + self.crossings.len());
         self.crossings.extend(triangulation.crossings);
         let corner = |k: usize| match corners.get(k) {
@@ -256,7 +290,7 @@ impl Split {
             vertices.sort_unstable();
             vertices.dedup();
         }
-        self.flats.push(Flat { vertices, normal });
+        self.flats.push(Flat { vertices, normal, material });
     }
 }
 

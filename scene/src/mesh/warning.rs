@@ -36,6 +36,8 @@ pub struct Notices {
     first: Vec<Notice>,
     /// Number of notes of kinds beyond [`MAX_KINDS`].
     untold: usize,
+    /// Warnings about files that belong to the mesh.
+    beside: Vec<Warning>,
 }
 
 /// The first note of a kind, and the number of further ones.
@@ -60,13 +62,20 @@ impl Notices {
         }
     }
 
-    /// The warnings about the file `path`, in the order in which the kinds occurred.
+    /// Adds the warnings about another file that belongs to the mesh.
+    pub fn append(&mut self, warnings: Vec<Warning>) {
+        self.beside.extend(warnings);
+    }
+
+    /// The warnings about the file `path`, in the order in which the kinds occurred, and those about
+    /// other files.
     pub fn into_warnings(self, path: &Path) -> Vec<Warning> {
         let path = path.display().to_string();
         let rest = (self.untold > 0)
             .then(|| (None, format!("{} things of other kinds are passed over", self.untold)));
         let told = self.first.into_iter().map(|notice| (notice.line, notice.told()));
-        told.chain(rest).map(|(line, text)| Warning { path: path.clone(), line, text }).collect()
+        let own = told.chain(rest).map(|(line, text)| Warning { path: path.clone(), line, text });
+        own.chain(self.beside).collect()
     }
 }
 

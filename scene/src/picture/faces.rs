@@ -6,7 +6,7 @@ use glam::{DAffine3, DMat3, DVec3};
 use super::project::{TriangleId, ViewedObject};
 use super::scene::Object;
 use crate::mesh::Mesh;
-use crate::{VertexCone, defaults};
+use crate::{PartialMaterial, VertexCone};
 
 /// A triangle of a mesh among its neighbours.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,9 +27,9 @@ pub fn coned_faces(mesh: &Mesh) -> Vec<ConedFace> {
         mesh: Arc::new(mesh.clone()),
         primitive: None,
         place: DAffine3::IDENTITY,
-        material: defaults::material(),
+        material: PartialMaterial::default(),
     };
-    let seen = ViewedObject::new(&object, DMat3::IDENTITY);
+    let seen = ViewedObject::new(&object, 0, DMat3::IDENTITY);
     let all: Vec<TriangleId> =
         (0..mesh.triangles.len()).map(|triangle| TriangleId { object: 0, triangle }).collect();
     let fans = seen.fans(0, &all);

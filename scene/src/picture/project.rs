@@ -66,8 +66,7 @@ impl Scene {
             return Err(PictureError::Size(self.size.0, self.size.1));
         }
         let rotation = self.camera.rotation().ok_or(PictureError::Up)?;
-        let seen: Vec<ViewedObject<'_>> =
-            self.objects.iter().map(|object| ViewedObject::new(object, rotation)).collect();
+        let seen = self.viewed(rotation);
         let bounds = bounds(&seen).ok_or(PictureError::NothingVisible)?;
         let window =
             Window::new(&self.camera, rotation, bounds, self.size).ok_or(PictureError::NoExtent)?;
@@ -88,7 +87,7 @@ impl Scene {
             lights: self.lights.iter().filter_map(|light| light.at_infinity(view)).collect(),
             local_lights: self.lights.iter().filter_map(|light| light.at_a_place(view)).collect(),
             eye: self.camera.eye.map(|eye| rotation * eye),
-            materials: self.objects.iter().map(|object| object.material.clone()).collect(),
+            materials: self.objects.iter().flat_map(Object::materials).collect(),
             triangles,
             spans,
         })
@@ -101,9 +100,19 @@ impl Scene {
     /// objects.
     pub fn extent(&self) -> Result<[DVec3; 2], PictureError> {
         let rotation = self.camera.rotation().ok_or(PictureError::Up)?;
-        let seen: Vec<ViewedObject<'_>> =
-            self.objects.iter().map(|object| ViewedObject::new(object, rotation)).collect();
+        let seen = self.viewed(rotation);
         bounds(&seen).ok_or(PictureError::NothingVisible)
+    }
+
+    /// The objects in view space.
+    fn viewed(&self, rotation: DMat3) -> Vec<ViewedObject<'_>> {
+        let mut materials = 0;
+        let viewed = self.objects.iter().map(|object| {
+            let seen = ViewedObject::new(object, materials, rotation);
+            materials += object.materials().len();
+            seen
+        });
+        viewed.collect()
     }
 
     /// The visible triangles and their spans, with the window that shows them.
@@ -143,7 +152,9 @@ impl Scene {
         let of = |object: &Object| {
             Surface::of(object.primitive?, DAffine3::from_mat3(rotation) * object.place)
         };
-        self.objects.iter().map(of).collect()
+        let for_each_material =
+            |object: &Object| std::iter::repeat_n(of(object), object.materials().len());
+        self.objects.iter().flat_map(for_each_material).collect()
     }
 
     /// The triangles that may be in the picture, each with its name.
@@ -261,16 +272,19 @@ type Visible = (Vec<TriangleId>, Vec<Span>);
 /// An object in view space.
 pub(super) struct ViewedObject<'a> {
     object: &'a Object,
+    /// Where its materials begin among those of the frame.
+    first_material: usize,
     place: DAffine3,
     positions: Vec<DVec3>,
     to_normals: DMat3,
 }
 
 impl<'a> ViewedObject<'a> {
-    pub fn new(object: &'a Object, rotation: DMat3) -> ViewedObject<'a> {
+    pub fn new(object: &'a Object, first_material: usize, rotation: DMat3) -> ViewedObject<'a> {
         let place = DAffine3::from_mat3(rotation) * object.place;
         let positions = object.mesh.positions.iter().map(|&p| place.transform_point3(p)).collect();
-        ViewedObject { object, place, positions, to_normals: normal_matrix(place.matrix3) }
+        let to_normals = normal_matrix(place.matrix3);
+        ViewedObject { object, first_material, place, positions, to_normals }
     }
 
     /// The corners that triangles use; meshes may have unused vertices.
@@ -320,7 +334,7 @@ impl<'a> ViewedObject<'a> {
             positions: face.places,
             outline: points.map(|points| points.map(Point::in_pixels)),
             cones,
-            material: name.object,
+            material: self.first_material + self.object.material_index(name.triangle),
         }
     }
 

@@ -6,7 +6,7 @@ use glam::{DAffine3, DVec3};
 use super::camera::Camera;
 use crate::mesh::Mesh;
 use crate::primitive::Primitive;
-use crate::{Attenuation, Colour, Material};
+use crate::{Attenuation, Colour, Material, PartialMaterial};
 
 /// A mesh at a place in the world.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,8 +17,24 @@ pub struct Object {
     pub primitive: Option<Primitive>,
     /// The transformation from its own coordinates to the world's.
     pub place: DAffine3,
-    /// Its material.
-    pub material: Material,
+    /// What is said about its material; it takes precedence over the mesh's own materials.
+    pub material: PartialMaterial,
+}
+
+impl Object {
+    /// Its materials: one for each of the mesh's, or one for all of its triangles if the mesh has
+    /// none.
+    pub fn materials(&self) -> Vec<Material> {
+        match &self.mesh.materials[..] {
+            [] => vec![self.material.complete()],
+            own => own.iter().map(|own| self.material.or(own).complete()).collect(),
+        }
+    }
+
+    /// The material of a triangle, as an index of [`Object::materials`].
+    pub fn material_index(&self, triangle: usize) -> usize {
+        self.mesh.material_indices.get(triangle).map_or(0, |&index| index as usize)
+    }
 }
 
 /// The coordinates in which a light's direction is given.

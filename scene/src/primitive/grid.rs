@@ -63,5 +63,12 @@ impl Grid {
 
 /// An empty mesh.
 pub fn empty() -> Mesh {
-    Mesh { positions: Vec::new(), triangles: Vec::new(), normals: Vec::new(), facets: Vec::new() }
+    Mesh {
+        positions: Vec::new(),
+        triangles: Vec::new(),
+        normals: Vec::new(),
+        facets: Vec::new(),
+        materials: Vec::new(),
+        material_indices: Vec::new(),
+    }
 }

@@ -52,7 +52,14 @@ pub(super) fn mesh(level: u32) -> Mesh {
         Facet::of_polygon(places).unwrap_or(Facet::of_vertices(places, places))
     };
     let facets = normals.iter().map(facet).collect();
-    Mesh { positions, triangles, normals, facets }
+    Mesh {
+        positions,
+        triangles,
+        normals,
+        facets,
+        materials: Vec::new(),
+        material_indices: Vec::new(),
+    }
 }
 
 /// Each triangle's four quarters; midpoints are shared between neighbours.

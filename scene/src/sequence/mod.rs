@@ -3,6 +3,7 @@ mod keys;
 mod motion;
 mod movement;
 mod moving;
+mod nodes;
 
 use rayon::prelude::*;
 
@@ -11,7 +12,10 @@ use crate::{Frame, Needs, SceneError, Surface};
 pub use keys::{Keys, Steps};
 pub use motion::{Change, Motion, Subject};
 pub use movement::Movement;
-pub use moving::MovingScene;
+pub use moving::{MovingScene, Script};
+pub use nodes::{
+    Between, Blend, FRAMES_A_SECOND, NodeMotions, Pose, Track, Tracks, Transform, TreeNode,
+};
 
 /// The most frames of a sequence.
 pub const MOST_FRAMES: u32 = 10000;

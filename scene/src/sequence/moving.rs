@@ -1,4 +1,6 @@
 //! A scene whose camera, objects and lights move.
+use std::sync::Arc;
+
 use glam::DVec3;
 
 use crate::picture::Scene;
@@ -6,6 +8,7 @@ use crate::picture::camera::{Camera, Window};
 use crate::picture::project::PictureError;
 
 use super::motion::Motion;
+use super::nodes::NodeMotions;
 
 /// A scene that moves.
 #[derive(Clone, Debug)]
@@ -13,9 +16,35 @@ pub struct MovingScene {
     /// The scene as it is written: what every motion starts from.
     scene: Scene,
     frames: u32,
-    motions: Vec<Motion>,
+    script: Script,
     /// What the camera shows, where it chooses that by itself.
     framing: Option<Framing>,
+}
+
+/// What moves a scene.
+#[derive(Clone, Debug)]
+pub enum Script {
+    /// Motions of single things; those of one thing follow each other in their order.
+    Motions(Vec<Motion>),
+    /// Nodes, with what is at them.
+    Nodes(Arc<NodeMotions>),
+}
+
+impl From<Vec<Motion>> for Script {
+    fn from(motions: Vec<Motion>) -> Script {
+        Script::Motions(motions)
+    }
+}
+
+impl Script {
+    fn apply(&self, frame: f64, scene: &mut Scene) {
+        match self {
+            Script::Motions(motions) => {
+                motions.iter().for_each(|motion| motion.apply(frame, scene));
+            }
+            Script::Nodes(nodes) => nodes.apply(frame, scene),
+        }
+    }
 }
 
 /// What a camera shows in all frames.
@@ -28,8 +57,7 @@ struct Framing {
 }
 
 impl MovingScene {
-    /// A scene over `frames` frames, at least one. Motions of one thing follow each other in
-    /// their order.
+    /// A scene over `frames` frames, at least one.
     ///
     /// A camera that chooses its target or height by itself does so once: all frames are within the
     /// picture, and no frame is drawn larger than another.
@@ -39,9 +67,9 @@ impl MovingScene {
     pub fn new(
         scene: Scene,
         frames: u32,
-        motions: Vec<Motion>,
+        script: impl Into<Script>,
     ) -> Result<MovingScene, PictureError> {
-        let moving = MovingScene { scene, frames, motions, framing: None };
+        let moving = MovingScene { scene, frames, script: script.into(), framing: None };
         let camera = &moving.scene.camera;
         if camera.target.is_some() && camera.height.is_some() {
             return Ok(moving);
@@ -57,9 +85,7 @@ impl MovingScene {
     /// The scene at frame number `index`, counted from 0. Meshes are shared, not copied.
     pub fn scene(&self, index: u32) -> Scene {
         let mut scene = self.scene.clone();
-        for motion in &self.motions {
-            motion.apply(f64::from(index), &mut scene);
-        }
+        self.script.apply(f64::from(index), &mut scene);
         if let Some(framing) = self.framing {
             framing.apply(&mut scene.camera);
         }

@@ -5,14 +5,20 @@ use proptest::prelude::*;
 use proptest::sample::Index;
 use proptest::test_runner::TestRunner;
 use serde_json::{Value, json};
-use specula_scene::mesh::Mesh;
+use specula_scene::mesh::{MeshProblem, Model};
 
 use crate::glb_files::{self, Glb};
 use crate::shape::wedge;
-use crate::{obj_files, ply_files, stl_files};
+use crate::{obj_files, ply_files, said, stl_files};
 
 fn seeds() -> Vec<(String, Vec<u8>)> {
-    [glb_files::dialects(&wedge()), texts()].concat()
+    [glb_seeds(), texts()].concat()
+}
+
+/// Seeds in JSON and bytes.
+fn glb_seeds() -> Vec<(String, Vec<u8>)> {
+    let staged = ("staged.glb".to_owned(), said::staged());
+    [glb_files::dialects(&wedge()), vec![staged]].concat()
 }
 
 /// Seeds of formats that are, or may be, text.
@@ -22,7 +28,8 @@ fn texts() -> Vec<(String, Vec<u8>)> {
 }
 
 fn try_to_read(name: &str, bytes: &[u8]) {
-    let _ = Mesh::from_bytes(Path::new(name), bytes);
+    let none = |_: &Path| Err(MeshProblem::Unreadable("it is not given".into()));
+    let _ = Model::from_bytes(Path::new(name), bytes, &none);
 }
 
 #[test]
@@ -78,7 +85,7 @@ fn wrong_values_in_json_do_not_panic() {
         json!([0, 0]),
         json!({}),
     ];
-    for (name, bytes) in glb_files::dialects(&wedge()) {
+    for (name, bytes) in glb_seeds() {
         let length = u32::from_le_bytes([bytes[12], bytes[13], bytes[14], bytes[15]]) as usize;
         let Ok(root) = serde_json::from_slice::<Value>(&bytes[20..20 + length]) else { continue };
         let binary = bytes.get(28 + length..).unwrap_or_default().to_vec();

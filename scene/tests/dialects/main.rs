@@ -8,6 +8,7 @@ mod obj;
 mod obj_files;
 mod ply;
 mod ply_files;
+mod said;
 mod shape;
 mod stl;
 mod stl_files;

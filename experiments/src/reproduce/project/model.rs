@@ -81,7 +81,7 @@ impl Model {
                 mesh: Arc::new(self.mesh.clone()),
                 primitive: None,
                 place: DAffine3::IDENTITY,
-                material: defaults::material(),
+                material: defaults::material().into(),
             }],
         };
         scene.frame().map_err(|error| SceneError::picture(&self.name, error))

@@ -143,7 +143,7 @@ pub fn alone(shape: Primitive, size: (u32, u32)) -> Result<Frame, SceneError> {
             mesh: shape.mesh().into(),
             primitive: Some(shape),
             place: glam::DAffine3::IDENTITY,
-            material: defaults::material(),
+            material: defaults::material().into(),
         }],
     };
     scene.frame().map_err(|error| SceneError::picture("a sphere", error))

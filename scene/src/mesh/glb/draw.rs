@@ -5,6 +5,7 @@ use glam::{DMat3, DMat4, DVec3};
 
 use super::accessors::Elements;
 use super::json::{Instancing, Whole};
+use super::materials::Materials;
 use super::nodes::{Placed, rotation};
 use super::primitives::{Accessors, Drawable};
 use crate::mesh::error::MeshProblem;
@@ -13,7 +14,7 @@ use crate::mesh::normals::normal_matrix;
 use crate::mesh::polygons::{Corner, Polygons};
 use crate::mesh::warning::Notices;
 
-/// All triangles of `placed`; the accessors of their meshes have been looked up.
+/// All triangles of `placed`; the accessors and materials of their meshes have been looked up.
 ///
 /// The triangles are counted before any is copied, since a small file may instance large meshes
 /// many times.
@@ -23,6 +24,7 @@ use crate::mesh::warning::Notices;
 pub fn draw(
     placed: &[Placed<'_>],
     accessors: &Accessors<'_>,
+    materials: &Materials,
     notices: &mut Notices,
 ) -> Result<Polygons, MeshProblem> {
     let mut meshes = BTreeMap::new();
@@ -44,7 +46,8 @@ pub fn draw(
     if triangles > MAX_TRIANGLES {
         return Err(MeshProblem::TooManyTriangles(triangles));
     }
-    let mut drawing = Drawing::default();
+    let mut drawing =
+        Drawing { polygons: Polygons::default(), copied: Copied::default(), materials };
     for (one, drawables, instances) in &parts {
         for k in 0..instances.count {
             drawing.mesh(drawables, one.place * instances.place(k), notices)?;
@@ -108,13 +111,13 @@ impl<'p, 'a> Instances<'p, 'a> {
 }
 
 /// The mesh put together so far.
-#[derive(Default)]
-struct Drawing {
+struct Drawing<'m> {
     polygons: Polygons,
     copied: Copied,
+    materials: &'m Materials,
 }
 
-impl Drawing {
+impl Drawing<'_> {
     fn mesh(
         &mut self,
         drawables: &[Drawable<'_, '_>],
@@ -133,6 +136,7 @@ impl Drawing {
         notices: &mut Notices,
     ) -> Result<(), MeshProblem> {
         self.copied.begin(drawable);
+        self.polygons.material = self.materials.index(drawable.material);
         for number in 0..drawable.triangles {
             let [a, b, c] = drawable.triangle(number)?;
             if a == b || b == c || c == a {

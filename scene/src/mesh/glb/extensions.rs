@@ -4,7 +4,12 @@ use crate::mesh::error::MeshProblem;
 use crate::mesh::warning::{Notices, quoted};
 
 /// Supported extensions.
-const READ: [&str; 3] = ["EXT_mesh_gpu_instancing", "KHR_mesh_quantization", "KHR_node_visibility"];
+const READ: [&str; 4] = [
+    "EXT_mesh_gpu_instancing",
+    "KHR_lights_punctual",
+    "KHR_mesh_quantization",
+    "KHR_node_visibility",
+];
 
 /// Extensions without which a file has no geometry, or a different one.
 const REFUSED: [&str; 5] = [

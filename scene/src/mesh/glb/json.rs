@@ -1,7 +1,7 @@
-//! The part of glTF 2.0's JSON that geometry needs.
+//! The part of glTF 2.0's JSON that is shown.
 //!
-//! What is not declared here (materials, cameras, `extras`, unknown extensions) is skipped,
-//! whatever it contains. What is declared may be absent wherever its use can be refused more
+//! What is not declared here (`extras`, unknown extensions) is skipped, whatever it contains, and a
+//! [`Part`] is what a file can be drawn without. What is declared may be absent wherever its use can be refused more
 //! clearly than its absence.
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -10,6 +10,7 @@ use std::fmt;
 use serde::Deserialize;
 use serde::de::{self, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
 
+use super::part::{Part, Reference};
 use crate::mesh::error::MeshProblem;
 
 /// Largest number of objects in the JSON: each of them takes at most some hundred bytes of memory.
@@ -55,8 +56,14 @@ pub struct Document {
     pub buffer_views: Vec<BufferView>,
     /// All buffers.
     pub buffers: Vec<Buffer>,
-    /// The animations, of which only the number matters.
-    pub animations: Vec<IgnoredAny>,
+    /// The list of materials.
+    pub materials: Part,
+    /// The list of cameras.
+    pub cameras: Part,
+    /// Extensions of the document.
+    pub extensions: Part,
+    /// The list of animations.
+    pub animations: Part,
     /// Extensions that the file uses.
     pub extensions_used: Names,
     /// Extensions that the file requires.
@@ -89,6 +96,8 @@ pub struct Node {
     pub children: Vec<Whole>,
     /// The mesh that is drawn there.
     pub mesh: Option<Whole>,
+    /// The camera that is there.
+    pub camera: Reference,
     /// The skin that moves the mesh's vertices.
     pub skin: Option<IgnoredAny>,
     /// The matrix from its coordinates to the parent's, column by column.
@@ -113,6 +122,9 @@ pub struct NodeExtensions {
     /// Visibility: the node may be hidden.
     #[serde(rename = "KHR_node_visibility")]
     pub visibility: Option<Visibility>,
+    /// A light that is there.
+    #[serde(rename = "KHR_lights_punctual")]
+    pub light: Part,
 }
 
 /// The instances of a mesh.
@@ -164,6 +176,8 @@ pub struct Primitive {
     pub indices: Option<Whole>,
     /// Points, lines or triangles.
     pub mode: Option<Whole>,
+    /// The material.
+    pub material: Reference,
     /// Morph targets of the vertices.
     pub targets: Vec<IgnoredAny>,
     /// Extensions of the part.

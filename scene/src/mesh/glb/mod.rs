@@ -1,11 +1,17 @@
 //! Binary glTF 2.0, `.glb` (decision 0013).
 mod accessors;
+mod animation;
 mod buffers;
+mod cameras;
 mod container;
 mod draw;
 mod extensions;
 mod json;
+mod lights;
+mod materials;
+mod movement;
 mod nodes;
+mod part;
 mod primitives;
 
 use std::collections::BTreeSet;
@@ -13,12 +19,15 @@ use std::collections::BTreeSet;
 use buffers::Buffers;
 use container::Container;
 use json::{Document, Whole};
+use materials::Materials;
+use movement::Still;
 use nodes::Placed;
 use primitives::Accessors;
+use serde::de::IgnoredAny;
 
 use super::error::{Located, MeshProblem};
 use super::indexed::Mesh;
-use super::polygons::Polygons;
+use super::model::Model;
 use super::warning::{Notices, quoted};
 
 /// Reads a `.glb` file: every triangle of the default scene's meshes, moved where its nodes put it.
@@ -29,22 +38,69 @@ use super::warning::{Notices, quoted};
 /// A file that is not a valid `.glb`, or that keeps its geometry compressed or in other files, and
 /// all errors of `Polygons::into_mesh`.
 pub(super) fn parse(bytes: &[u8], notices: &mut Notices) -> Result<Mesh, Located> {
-    let polygons = polygons(bytes, notices)?;
-    let all = if polygons.has_all_normals() { polygons } else { polygons.welded() };
-    all.into_mesh(notices, &|_| None)
+    let container = Container::read(bytes, notices)?;
+    let document = checked(container.json, notices)?;
+    let placed = nodes::placed(&document, &|_| false)?;
+    if matches!(document.animations.read::<Vec<IgnoredAny>>(), Ok(Some(all)) if !all.is_empty()) {
+        notices.add("animations", None, || {
+            "animations are left out; the mesh stands as its nodes place it".into()
+        });
+    }
+    if !placed.lights.is_empty() {
+        notices.add("lights", None, || {
+            "its lights are left out; they count where the file itself is the scene".into()
+        });
+    }
+    let buffers = Buffers::new(&document, container.binary);
+    mesh(&document, &mut Accessors::new(&document, &buffers), &placed.meshes, notices)
 }
 
-fn polygons(bytes: &[u8], notices: &mut Notices) -> Result<Polygons, MeshProblem> {
+/// Reads a `.glb` file with its lights, its camera and its animation.
+///
+/// The errors of [`parse`].
+pub(super) fn model(bytes: &[u8], notices: &mut Notices) -> Result<Model, Located> {
     let container = Container::read(bytes, notices)?;
-    let document = json::parse(container.json)?;
-    check_version(&document)?;
-    extensions::check(&document, notices)?;
-    let placed = nodes::placed(&document)?;
-    note_movement(&document, &placed, notices);
+    let document = checked(container.json, notices)?;
+    let placed = nodes::placed(&document, &|_| false)?;
     let buffers = Buffers::new(&document, container.binary);
     let mut accessors = Accessors::new(&document, &buffers);
-    look_up(&placed, &mut accessors, notices)?;
-    draw::draw(&placed, &accessors, notices)
+    let mesh = mesh(&document, &mut accessors, &placed.meshes, notices)?;
+    let lights = lights::lights(&document, &placed.lights, &mesh, notices);
+    let camera = cameras::camera(&document, &placed.cameras, notices);
+    let (lights, light_nodes) = lights.into_iter().unzip();
+    let (camera, camera_node) = camera.unzip();
+    let movement = match animation::animation(&document, &mut accessors, notices) {
+        Some(animation) => {
+            let still = Still { document: &document, lights: light_nodes, camera: camera_node };
+            still.moved(animation, &mut accessors, notices)?
+        }
+        None => None,
+    };
+    Ok(Model { mesh, lights, camera, movement })
+}
+
+/// The document of a JSON text, if it is of a version and has extensions that can be drawn.
+fn checked(json: &[u8], notices: &mut Notices) -> Result<Document, MeshProblem> {
+    let document = json::parse(json)?;
+    check_version(&document)?;
+    extensions::check(&document, notices)?;
+    Ok(document)
+}
+
+/// All placed meshes as one.
+fn mesh(
+    document: &Document,
+    accessors: &mut Accessors<'_>,
+    placed: &[Placed<'_>],
+    notices: &mut Notices,
+) -> Result<Mesh, Located> {
+    note_skins(placed, notices);
+    look_up(placed, accessors, notices)?;
+    let materials = look_up_materials(document, placed, notices);
+    let mut polygons = draw::draw(placed, accessors, &materials, notices)?;
+    polygons.materials = materials.all();
+    let all = if polygons.has_all_normals() { polygons } else { polygons.welded() };
+    all.into_mesh(notices, &|_| None)
 }
 
 /// Checks that the JSON is for version 2 of glTF, as the container is; many files state less than
@@ -63,13 +119,8 @@ fn check_version(document: &Document) -> Result<(), MeshProblem> {
     Ok(())
 }
 
-/// Adds notes about what would move the mesh.
-fn note_movement(document: &Document, placed: &[Placed<'_>], notices: &mut Notices) {
-    if !document.animations.is_empty() {
-        notices.add("animations", None, || {
-            "animations are left out; the mesh stands as its nodes place it".into()
-        });
-    }
+/// Adds notes about what would bend the mesh.
+fn note_skins(placed: &[Placed<'_>], notices: &mut Notices) {
     for one in placed.iter().filter(|one| one.has_skin) {
         notices
             .add("skins", None, || format!("mesh {} has a skin; it is drawn without it", one.mesh));
@@ -91,4 +142,21 @@ fn look_up(
         numbers.into_iter().flatten().try_for_each(|number| accessors.look_up(number))?;
     }
     Ok(())
+}
+
+/// The materials of a document, those of placed meshes looked up.
+fn look_up_materials(
+    document: &Document,
+    placed: &[Placed<'_>],
+    notices: &mut Notices,
+) -> Materials {
+    let mut materials = Materials::new(document, notices);
+    let meshes: BTreeSet<usize> = placed.iter().map(|one| one.mesh).collect();
+    let primitives = meshes.iter().filter_map(|&mesh| document.meshes.get(mesh));
+    for primitive in primitives.flat_map(|mesh| &mesh.primitives) {
+        if let Some(number) = primitive.material.0 {
+            materials.look_up(number, notices);
+        }
+    }
+    materials
 }

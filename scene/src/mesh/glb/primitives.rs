@@ -55,6 +55,8 @@ pub struct Drawable<'p, 'a> {
     /// Normals of vertices, if it has them.
     pub normals: Option<&'p Elements<'a>>,
     indices: Option<&'p Elements<'a>>,
+    /// The material's number, if it has one.
+    pub material: Option<usize>,
     /// Number of triangles; at least one.
     pub triangles: usize,
 }
@@ -223,7 +225,8 @@ impl<'a> Accessors<'a> {
             )));
         }
         let triangles = mode.triangles(indices.unwrap_or(positions).count);
-        Ok(Some(Drawable { mode, positions, normals, indices, triangles }))
+        let material = primitive.material.0;
+        Ok(Some(Drawable { mode, positions, normals, indices, material, triangles }))
     }
 }
 

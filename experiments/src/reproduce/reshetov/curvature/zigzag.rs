@@ -39,7 +39,8 @@ pub fn zigzag(size: (u32, u32)) -> Result<Frame, SceneError> {
                 diffuse: [1.0; 3],
                 specular: [0.0; 3],
                 shininess: 1,
-            },
+            }
+            .into(),
         }],
     };
     scene.frame().map_err(|error| SceneError::picture("zigzag", error))
@@ -72,5 +73,7 @@ fn mesh() -> Mesh {
         normals: vec![normals; triangles.len()],
         triangles,
         positions,
+        materials: Vec::new(),
+        material_indices: Vec::new(),
     }
 }

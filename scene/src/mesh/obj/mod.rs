@@ -1,14 +1,20 @@
-//! Wavefront `.obj`: the lines `v`, `vn` and `f`. Other lines about the appearance or grouping of
-//! faces (texture, groups, materials) are ignored; geometry other than faces (lines, points,
-//! curves) is skipped with a warning.
+//! Wavefront `.obj`: the lines `v`, `vn`, `f`, `mtllib` and `usemtl`. Other lines about the
+//! appearance or grouping of faces (texture, groups) are ignored; geometry other than faces (lines,
+//! points, curves) is skipped with a warning.
 //!
 //! The `tobj` crate is not used: its errors do not state the line, it reads polylines (`l`) as
 //! faces, gives a corner without normal its neighbour's, and overflows on texture indices far below
 //! zero.
+mod materials;
+mod mtl;
+
 use std::borrow::Cow;
 
 use glam::DVec3;
 
+use materials::Materials;
+
+use super::Beside;
 use super::error::{Item, Located, MeshProblem};
 use super::indexed::Mesh;
 use super::lines::{Lines, is_blank, words};
@@ -20,15 +26,17 @@ use super::warning::{Notices, quoted};
 /// Keywords of what is drawn; before version 3, faces were called `fo`.
 const DRAWN: [&[u8]; 4] = [b"v", b"vn", b"f", b"fo"];
 
+/// Keywords of lines that state names, in `.obj` files and in material libraries; names may contain
+/// a `#`.
+const NAMED: [&[u8]; 3] = [b"usemtl", b"mtllib", b"newmtl"];
+
 /// Keywords of lines that are ignored without a warning.
-const SKIPPED: [&[u8]; 19] = [
+const SKIPPED: [&[u8]; 17] = [
     b"vt",
     b"g",
     b"o",
     b"s",
     b"mg",
-    b"usemtl",
-    b"mtllib",
     b"usemap",
     b"maplib",
     b"bevel",
@@ -43,18 +51,27 @@ const SKIPPED: [&[u8]; 19] = [
     b"end",
 ];
 
-/// Reads an `.obj` file.
+/// Reads an `.obj` file, with its material libraries from `beside` it.
 ///
 /// # Errors
 /// Malformed lines, and all errors of [`Polygons::into_mesh`].
-pub(super) fn parse(bytes: &[u8], notices: &mut Notices) -> Result<Mesh, Located> {
+pub(super) fn parse(
+    bytes: &[u8],
+    beside: &Beside<'_>,
+    notices: &mut Notices,
+) -> Result<Mesh, Located> {
     let text = unmarked(bytes);
-    let mut reader =
-        Reader { notices, polygons: Polygons::default(), line_numbers: LineNumbers::default() };
+    let mut reader = Reader {
+        notices,
+        polygons: Polygons::default(),
+        line_numbers: LineNumbers::default(),
+        materials: Materials::default(),
+    };
     for (number, line) in joined_lines(&text) {
         reader.line(number, &line).map_err(|problem| problem.at_line(number))?;
     }
-    let Reader { polygons, line_numbers, notices } = reader;
+    let Reader { mut polygons, line_numbers, materials, notices } = reader;
+    polygons.materials = materials.found(beside, notices);
     let mesh = polygons.into_mesh(notices, &|item| line_numbers.of(item));
     mesh.map_err(|at| Located { problem: as_counted_here(at.problem), ..at })
 }
@@ -62,7 +79,7 @@ pub(super) fn parse(bytes: &[u8], notices: &mut Notices) -> Result<Mesh, Located
 /// Lines without their comments, each with its number, counted from 1; a line that ends in a
 /// backslash continues in the next.
 fn joined_lines(text: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, [u8]>)> {
-    let plain = |line| without_comment(without_mark(line));
+    let plain = |line| named_line(without_mark(line));
     let mut numbered = Lines::new(text).map(plain).enumerate().peekable();
     std::iter::from_fn(move || {
         let (index, line) = numbered.next()?;
@@ -86,9 +103,20 @@ fn without_mark(line: &[u8]) -> &[u8] {
     line.strip_prefix(b"\xef\xbb\xbf").unwrap_or(line)
 }
 
-/// A line without its comment, which a `#` starts anywhere.
-fn without_comment(line: &[u8]) -> &[u8] {
-    line.split(|&b| b == b'#').next().unwrap_or_default()
+/// A line without its comment, which a `#` starts: anywhere, but not within a name.
+fn named_line(line: &[u8]) -> &[u8] {
+    let has_name = words(line).next().is_some_and(|keyword| NAMED.contains(&keyword));
+    let starts = |at: &usize| line[*at] == b'#' && (!has_name || is_blank(&line[*at - 1]));
+    (0..line.len()).find(starts).map_or(line, |at| &line[..at])
+}
+
+/// A name as it is compared: without blanks around it, and without backslashes at its end, which may
+/// stand for a continuation.
+fn name(text: &[u8]) -> &[u8] {
+    let around = |b: &u8| is_blank(b) || *b == b'\\';
+    let end = text.iter().rposition(|b| !around(b)).map_or(0, |last| last + 1);
+    let start = text[..end].iter().position(|b| !is_blank(b)).unwrap_or(end);
+    &text[start..end]
 }
 
 /// A line without the backslash at its end, if it has one.
@@ -99,9 +127,9 @@ fn continued(line: &[u8]) -> Option<&[u8]> {
 
 /// Whether a line starts with a keyword.
 fn has_keyword(line: &[u8]) -> bool {
-    words(line)
-        .next()
-        .is_none_or(|word| DRAWN.contains(&word) || word == b"l" || SKIPPED.contains(&word))
+    words(line).next().is_none_or(|word| {
+        word == b"l" || [&DRAWN[..], &NAMED, &SKIPPED].iter().any(|all| all.contains(&word))
+    })
 }
 
 /// The line numbers of vertices, normals and faces.
@@ -138,6 +166,7 @@ struct Reader<'n> {
     notices: &'n mut Notices,
     polygons: Polygons,
     line_numbers: LineNumbers,
+    materials: Materials,
 }
 
 impl Reader<'_> {
@@ -153,6 +182,10 @@ impl Reader<'_> {
                 self.line_numbers.normals.push(number);
             }
             Some(b"f" | b"fo") => self.face(number, words)?,
+            Some(b"usemtl") => {
+                self.polygons.material = self.materials.number(number, name(words.rest()))
+            }
+            Some(b"mtllib") => self.materials.library(number, name(words.rest())),
             Some(keyword) if !SKIPPED.contains(&keyword) => self.pass_over(number, keyword),
             _ => {}
         }
