@@ -63,12 +63,7 @@ impl SceneFile {
     }
 
     /// A scene that moves over `frames` frames, at least one, and does not come from a scene file.
-    pub fn moving(
-        scene: Scene,
-        frames: u32,
-        script: Script,
-        warnings: Vec<Warning>,
-    ) -> SceneFile {
+    pub fn moving(scene: Scene, frames: u32, script: Script, warnings: Vec<Warning>) -> SceneFile {
         let shown = Shown::Moving { scene, frames, script };
         SceneFile { shown, core: None, warnings, camera: None }
     }
