@@ -97,11 +97,33 @@ pub fn choose(
     let mut seen: Vec<Seen> =
         all.into_par_iter().filter_map(|variant| look.at(variant, goal)).collect();
     seen.sort_by(|a, b| a.rank(goal).total_cmp(&b.rank(goal)));
-    let finalists: Vec<Seen> = finalists(seen)
-        .into_par_iter()
-        .filter_map(|seen| look.finished(seen).transpose())
-        .collect::<Result<_, _>>()?;
-    chosen(finalists, goal).ok_or(AutoError::Nothing)
+    // One that cannot be built in its formats is none that could be chosen.
+    let finished = finalists(seen).into_par_iter().filter_map(|seen| look.finished(seen).ok());
+    chosen(finished.collect(), goal).ok_or(AutoError::Nothing)
+}
+
+/// The smallest core that is found which is both smaller and more exact than `spec`, a core for the
+/// scene alone, on a sample of its pixels; `None` if none is.
+///
+/// # Errors
+/// As [`choose`].
+pub fn better_than(
+    scene: &LoadedScene,
+    spec: &CoreSpec,
+    block: [u32; 2],
+    products: &Products,
+) -> Result<Option<Candidate>, AutoError> {
+    let errors = pictures(scene)?.iter().map(|picture| picture.largest_error(spec)).collect();
+    let error = errors_of(errors)?;
+    let design = specula_hdl::elaborate(spec, "core").map_err(BenchError::from)?;
+    let cells = Cost::of(&design, Some(block)).cells();
+    let best = choose(scene, error, block, products)?.chosen;
+    Ok((best.error < error && best.cells < cells).then_some(best))
+}
+
+/// The largest of several errors.
+fn errors_of(errors: Result<Vec<f64>, BenchError>) -> Result<f64, BenchError> {
+    Ok(errors?.into_iter().fold(0.0, f64::max))
 }
 
 /// The best options of each of the best methods.
@@ -182,9 +204,8 @@ struct Look<'a> {
     products: &'a Products,
 }
 
-/// A method with options, its core for the sample, and what is known of it.
+/// The general core of a method with options, and what is known of it.
 struct Seen {
-    variant: Variant,
     spec: CoreSpec,
     candidate: Candidate,
 }
@@ -210,20 +231,18 @@ impl Look<'_> {
         }
         let cells = self.cells(&spec.specialised(&self.frames[..])).ok()?;
         let candidate = Candidate { core: variant.describe(), error, cells };
-        Some(Seen { variant, spec, candidate })
+        Some(Seen { spec, candidate })
     }
 
-    /// The same in its own formats, with its measured error; none if it cannot be had.
-    fn finished(&self, seen: Seen) -> Result<Option<Seen>, BenchError> {
+    /// The same in its own formats, with its measured error.
+    fn finished(&self, seen: Seen) -> Result<Seen, BenchError> {
         let frames = &self.frames[..];
         let start = seen.spec.specialised(frames);
-        let named =
-            seen.variant.options().map(|options| options.named_formats(seen.variant.method));
-        let core = default_core(start, frames, &named.unwrap_or_default(), self.products.clone())?;
+        let core = default_core(start, frames, &[], self.products.clone())?;
         let errors = self.pictures.iter().map(|picture| picture.largest_error(&core.spec));
-        let error = errors.collect::<Result<Vec<f64>, _>>()?.into_iter().fold(0.0, f64::max);
+        let error = errors_of(errors.collect())?;
         let cells = self.cells(&core.spec)?;
-        Ok(Some(Seen { candidate: Candidate { error, cells, ..seen.candidate }, ..seen }))
+        Ok(Seen { candidate: Candidate { error, cells, ..seen.candidate }, ..seen })
     }
 
     fn cells(&self, spec: &CoreSpec) -> Result<u64, BenchError> {

@@ -4,6 +4,8 @@ use std::io::Write;
 use clap::Args;
 use serde::Serialize;
 use specula_datapath::Design;
+use specula_experiments::auto::{self, Candidate};
+use specula_experiments::cost::GENERIC_BLOCK;
 use specula_experiments::{KeepCost, Saving, Savings, SizeDelta, Synthesis, ablation, keep_costs};
 use specula_scene::perspective::Interpolation;
 use specula_scene::{LoadedScene, Needs};
@@ -54,6 +56,8 @@ struct Report<'a> {
     needs: &'a Needs,
     savings: &'a Savings,
     keeping: &'a [KeepCost],
+    /// A core by another method or with other options that is both smaller and more exact.
+    better: Option<&'a Candidate>,
 }
 
 /// Prints the needs and what they save.
@@ -67,7 +71,9 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
     };
     let spec = wanted.core(&scene)?.spec;
     let (needs, savings) = (scene.needs()?, measured(&scene, &spec, arguments.synthesis)?);
-    let keeping = keep_costs(&scene, spec.method(), &wanted.made_for.products()?)?;
+    let products = wanted.made_for.products()?;
+    let keeping = keep_costs(&scene, spec.method(), &products)?;
+    let better = auto::better_than(&scene, &spec, GENERIC_BLOCK, &products)?;
     let report = Report {
         scene: &scene.name,
         method: spec.method().name(),
@@ -75,6 +81,7 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
         needs: &needs,
         savings: &savings,
         keeping: &keeping,
+        better: better.as_ref(),
     };
     let text = if arguments.json {
         serde_json::to_string_pretty(&report).map_err(ToolError::Json)? + "\n"
@@ -86,7 +93,12 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
             String::new()
         };
         let keeping = table::shown(&kept(&keeping));
-        format!("{}\n{}{cells}\n{keeping}", table::shown(&facts(&report)), table::shown(&table))
+        let better = better.as_ref().map(|Candidate { core, error, cells }| {
+            format!("\nsmaller and more exact: {core}, {cells} cells, {error:.2} LSB (`--method auto` chooses)\n")
+        });
+        let facts = table::shown(&facts(&report));
+        let better = better.unwrap_or_default();
+        format!("{facts}\n{}{cells}\n{keeping}{better}", table::shown(&table))
     };
     write!(stdout, "{text}").map_err(ToolError::Print)?;
     Ok(Verdict::Done)
