@@ -89,6 +89,8 @@ pub fn choose(
     block: [u32; 2],
     products: &Products,
 ) -> Result<Choice, AutoError> {
+    // What is wrong with the scene's own table is told, where no core at all would be.
+    scene.unnamed_formats()?;
     let needs = scene.needs()?;
     let pictures = pictures(scene)?;
     let all: Vec<Variant> = Method::ALL.into_iter().flat_map(Variant::all_of).collect();

@@ -9,6 +9,10 @@ use crate::program::Place;
 /// A torus that turns under a light that rises.
 const SCENE: &str = "
 size = [64, 48]
+[camera]
+direction = [0, 0.5, 1]
+target = [0, 0, 0]
+height = 3
 [[light]]
 direction = [0, 0.2, 1]
 [[object]]
