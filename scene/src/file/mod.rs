@@ -84,7 +84,7 @@ impl SceneFile {
             }
             (Shown::Moving { scene, frames, script }, size) => {
                 let scene = MovingScene::new(sized(scene, size), *frames, script.clone());
-                let sequence = Sequence::new(name, FrameSource::Moving(scene))?;
+                let sequence = Sequence::new(name, FrameSource::Moving(scene.into()))?;
                 let SequenceFrame { frame, surfaces } = sequence.frame(0)?;
                 Ok(View { frame, surfaces, sequence: Some(sequence) })
             }

@@ -45,7 +45,7 @@ pub struct Sequence {
 #[derive(Clone, Debug)]
 pub enum FrameSource {
     /// A scene that moves.
-    Moving(MovingScene),
+    Moving(Box<MovingScene>),
     /// Files in a folder.
     Files(FrameFiles),
 }

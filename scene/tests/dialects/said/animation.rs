@@ -218,7 +218,7 @@ proptest! {
             // Framing looks at all frames, so a few are enough.
             let script = Script::Nodes(movement.motions.into());
             let moving = MovingScene::new(scene, movement.frames.min(4), script);
-            if let Ok(sequence) = Sequence::new("a.glb", FrameSource::Moving(moving)) {
+            if let Ok(sequence) = Sequence::new("a.glb", FrameSource::Moving(moving.into())) {
                 for frame in 0..sequence.frames() {
                     let _ = sequence.frame(frame);
                 }
