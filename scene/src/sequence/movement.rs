@@ -16,7 +16,7 @@ impl Movement {
     /// The rotation by an angle in degrees, counter-clockwise as the end of the unit vector `axis`
     /// sees it, about the line along `axis` through `centre`.
     ///
-    /// It is Rodrigues' R = cos I + sin [a]× + (1 - cos) a aᵀ, and p ↦ c + R (p - c).
+    /// It is Rodrigues' R v = cos v + sin a × v + (1 - cos) (a·v) a, and p ↦ c + R (p - c).
     pub fn rotation(degrees: f64, axis: DVec3, centre: DVec3) -> Movement {
         let (cos, sin) = cos_sin(degrees);
         let column = |unit: DVec3| {
