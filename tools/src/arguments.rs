@@ -75,6 +75,17 @@ impl SceneArguments {
     pub fn load(&self) -> Result<LoadedScene, ToolError> {
         Ok(crate::scene::load(&self.scene, self.picture.size)?)
     }
+
+    /// Loads the scene for a command that looks at one frame alone, which is told if there are more.
+    pub fn load_frame(&self) -> Result<LoadedScene, ToolError> {
+        let mut scene = self.load()?;
+        if let Some(sequence) = scene.sequence.take() {
+            let frames = sequence.frames();
+            // A closed standard error is no reason to stop.
+            let _ = writeln!(io::stderr(), "frames: the first of {frames} alone is looked at");
+        }
+        Ok(scene)
+    }
 }
 
 /// The size of a scene's picture.

@@ -83,7 +83,7 @@ pub fn execute(
     stdout: &mut dyn Write,
     interrupts: &Interrupts,
 ) -> Result<Verdict, ToolError> {
-    let scene = arguments.scene.load()?;
+    let scene = arguments.scene.load_frame()?;
     let folder =
         arguments.output.clone().unwrap_or_else(|| PathBuf::from("out/compare").join(&scene.name));
     let destination = Destination::check(&folder, &files::names(), interrupts)?;

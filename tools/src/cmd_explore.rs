@@ -70,7 +70,7 @@ pub fn execute(
     stdout: &mut dyn Write,
     interrupts: &Interrupts,
 ) -> Result<Verdict, ToolError> {
-    let scene = arguments.scene.load()?;
+    let scene = arguments.scene.load_frame()?;
     let methods = selected_methods(&arguments.methods);
     let made_for = &arguments.made_for;
     let (device, target) = (made_for.device.as_ref(), made_for.wanted()?);

@@ -61,7 +61,7 @@ pub fn execute(
     let synthesiser = synth::synthesiser()?;
     let scene =
         SceneArguments { scene: arguments.scene.clone(), picture: arguments.picture.clone() };
-    let scene = scene.load()?;
+    let scene = scene.load_frame()?;
     let wanted = Wanted {
         most: arguments.max_quantisation,
         specialise: arguments.specialise,

@@ -160,3 +160,12 @@ fn auto_chooses_a_method() {
     let command = report["command"].as_str().unwrap();
     assert!(command.ends_with("--size 96x72 --method auto"), "{command}");
 }
+
+/// What looks at one frame says so.
+#[test]
+fn one_frame_is_explored_and_that_is_told() {
+    let place = with_scene("");
+    let ended =
+        place.specula(&["explore", "rise.toml", "--max-error", "6lsb", "--methods", "gouraud"]);
+    assert!(ended.stderr.starts_with("frames: the first of 5 alone is looked at\n"), "{ended:?}");
+}
