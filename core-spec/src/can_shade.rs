@@ -38,6 +38,9 @@ impl CoreSpec {
             (0, _) => None,
             (1, Freedom::All) => Some("one directional light anywhere".to_owned()),
             (count, Freedom::All) => Some(format!("{count} directional lights anywhere")),
+            (1, Freedom::Some) => {
+                Some("one directional light within the ranges of what it was made for".to_owned())
+            }
             (count, Freedom::Some) => Some(format!(
                 "{count} directional lights within the ranges of what it was made for"
             )),
