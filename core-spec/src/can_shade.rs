@@ -92,10 +92,9 @@ impl CoreSpec {
 
 /// Whether an input depends on where a light is.
 fn tells_of_a_light(input: &CoreInput) -> bool {
-    let is_of_a_light = input.port.name.starts_with("light");
     match input.meaning.role {
         InputRole::Light => true,
-        InputRole::Surface => is_of_a_light,
+        InputRole::Surface => input.is_of_a_light(),
         _ => false,
     }
 }

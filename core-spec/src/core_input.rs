@@ -54,6 +54,11 @@ pub struct CoreInput {
 }
 
 impl CoreInput {
+    /// Whether it belongs to one of the lights, whose inputs are called after it.
+    pub(crate) fn is_of_a_light(&self) -> bool {
+        self.port.name.starts_with("light")
+    }
+
     /// All that a role tells but of the surface stands still for a frame, as far as the core's
     /// parameters allow.
     fn of_port(meaning: InputMeaning, port: InputPort) -> CoreInput {

@@ -123,11 +123,6 @@ impl CoreSpec {
         Err(SpecError::Core { message })
     }
 
-    /// What may change without a new core, for people to read; empty if nothing may.
-    pub fn kept_in_words(&self) -> Vec<String> {
-        self.specialisation.kept().in_words()
-    }
-
     /// Which method this is.
     pub fn method(&self) -> Method {
         self.method.method()

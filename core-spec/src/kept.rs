@@ -72,12 +72,11 @@ impl Kept {
     /// ([`Kept::examples`]).
     fn is_moved(&self, input: &CoreInput, thing: &KeptThing) -> bool {
         let (role, name) = (input.meaning.role, &input.port.name);
-        let is_of_a_light = name.starts_with("light");
         match thing {
             KeptThing::Lights => match role {
                 InputRole::Light => self.within.light_angle.is_none(),
                 InputRole::Diffuse | InputRole::Specular => true,
-                InputRole::Surface => is_of_a_light,
+                InputRole::Surface => input.is_of_a_light(),
                 InputRole::Exponent | InputRole::Ambient => false,
             },
             KeptThing::Materials => !matches!(role, InputRole::Light | InputRole::Surface),

@@ -27,7 +27,7 @@ impl CoreSpec {
         // first; what it has left is small enough to go through one after the other.
         let of_its_own = sequence.map(|_, frame| {
             let mut values = GivenValues::none(&ports);
-            Ok::<_, SceneError>(reduced(&mut values, &general, &frame.frame))
+            Ok::<_, SceneError>(reduced(&mut values, &general, &frame))
         })?;
         let mut values = GivenValues::none(&ports);
         let witnesses = of_its_own.iter().map(|frame| reduced(&mut values, &general, frame));

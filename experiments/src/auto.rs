@@ -192,7 +192,7 @@ fn pictures(scene: &LoadedScene) -> Result<Vec<ExactPicture>, specula_scene::Sce
     let frames = FRAMES.min(sequence.frames());
     let number = |k: u32| k * sequence.frames() / frames;
     let sample = |frame: &Frame| ExactPicture::new(sampled(frame, SAMPLE / u64::from(frames)));
-    (0..frames).map(|k| Ok(sample(&sequence.frame(number(k))?.frame))).collect()
+    (0..frames).map(|k| Ok(sample(&sequence.frame(number(k))?))).collect()
 }
 
 /// What methods are looked at with.

@@ -45,6 +45,6 @@ pub use parallel::ParallelSpan;
 pub use partial_material::PartialMaterial;
 pub use perspective::Perspective;
 pub use scan_line::{ScanLine, normal_on_edge};
-pub use sequence::{Sequence, SequenceFrame};
+pub use sequence::Sequence;
 pub use surface::Surface;
 pub use wrap::Wrap;

@@ -6,9 +6,7 @@ use crate::mesh::error::listed;
 use crate::mesh::{self, EXTENSIONS, Mesh, Model, Movement, Warning};
 use crate::picture::{Object, Scene};
 use crate::sequence::{Besides, FrameFiles, FrameSource, Script};
-use crate::{
-    Frame, Needs, PartialMaterial, SceneError, Sequence, SequenceFrame, Surface, builtin, defaults,
-};
+use crate::{Frame, Needs, PartialMaterial, SceneError, Sequence, Surface, builtin, defaults};
 
 /// A scene with its visible spans, and its table for the core.
 #[derive(Clone, Debug)]
@@ -42,9 +40,14 @@ impl LoadedScene {
         }
     }
 
-    /// The scene as it is in a frame of its sequence.
-    pub fn in_frame(self, frame: SequenceFrame) -> LoadedScene {
-        LoadedScene { frame: frame.frame, surfaces: frame.surfaces, ..self }
+    /// The scene as it is in a frame of its sequence, counted from 0; as it is if it does not move.
+    ///
+    /// # Errors
+    /// [`SceneError`] if the frame cannot be drawn.
+    pub fn in_frame(self, number: u32) -> Result<LoadedScene, SceneError> {
+        let Some(sequence) = &self.sequence else { return Ok(self) };
+        let (frame, surfaces) = (sequence.frame(number)?, sequence.surfaces(number)?);
+        Ok(LoadedScene { frame, surfaces, ..self })
     }
 }
 
@@ -115,7 +118,7 @@ pub(crate) fn read(path: &Path) -> Result<SceneFile, SceneError> {
 fn folder(scene: &str, name: &str, size: Option<(u32, u32)>) -> Result<LoadedScene, SceneError> {
     let (files, Besides { core, warnings }) = FrameFiles::new(Path::new(scene), size)?;
     let sequence = Sequence::new(scene, FrameSource::Files(files))?;
-    let SequenceFrame { frame, surfaces } = sequence.frame(0)?;
+    let (frame, surfaces) = (sequence.frame(0)?, sequence.surfaces(0)?);
     let name = name.to_owned();
     Ok(LoadedScene { name, frame, sequence: Some(sequence), surfaces, core, warnings })
 }

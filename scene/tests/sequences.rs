@@ -13,7 +13,7 @@ fn sequence(text: &str) -> Sequence {
 }
 
 fn frame(sequence: &Sequence, number: u32) -> Frame {
-    sequence.frame(number).unwrap_or_else(|error| panic!("{number}: {error}")).frame
+    sequence.frame(number).unwrap_or_else(|error| panic!("{number}: {error}"))
 }
 
 /// The middle of all corners that are seen.

@@ -53,7 +53,7 @@ fn near() -> LoadedScene {
 }
 
 fn shaded(scene: &LoadedScene, spec: &CoreSpec, number: u32, engine: EngineKind) -> Outcome {
-    let frame = scene.sequence.as_ref().unwrap().frame(number).unwrap().frame;
+    let frame = scene.sequence.as_ref().unwrap().frame(number).unwrap();
     Bench::new(&frame, spec, "moving").unwrap().run(engine, &mut |_, _| ()).unwrap()
 }
 
@@ -79,7 +79,7 @@ fn a_core_for_all_frames_takes_each() {
     let all = scene.core_spec(Some(Method::Lyon)).unwrap();
     let first = all.specialised(&scene.frame);
     for number in 0..sequence.frames() {
-        let frame = sequence.frame(number).unwrap().frame;
+        let frame = sequence.frame(number).unwrap();
         assert!(all.fit_to(&frame).is_ok(), "{number}");
         assert_eq!(first.fit_to(&frame).is_ok(), number == 0, "{number}");
     }
@@ -95,7 +95,7 @@ fn witnesses_stand_for_all(method: Method, numbers: &[u32]) {
     assert_eq!(core.specialised(&witnesses[..]), core);
     let count =
         |frames: &[specula_scene::Frame]| frames.iter().map(|f| f.spans.len()).sum::<usize>();
-    let all: Vec<_> = (0..sequence.frames()).map(|n| sequence.frame(n).unwrap().frame).collect();
+    let all: Vec<_> = (0..sequence.frames()).map(|n| sequence.frame(n).unwrap()).collect();
     assert_eq!(spec.specialised(&all[..]), core);
     assert!(4 * count(&witnesses) < count(&all), "{} of {}", count(&witnesses), count(&all));
     for &number in numbers {

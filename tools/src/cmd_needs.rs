@@ -177,16 +177,8 @@ pub const TITLES: [&str; 9] = [
 /// register bits and clocks, and why it is safe.
 pub fn rows(savings: &Savings) -> Vec<[String; 9]> {
     let row = |need: &str, left_out: &str, saves: &SizeDelta, safe: &str| {
-        let numbers = [
-            saves.multipliers,
-            saves.multiplier_bits,
-            saves.adders,
-            saves.adder_bits,
-            saves.register_bits,
-            saves.latency,
-        ];
         let [multipliers, multiplier_bits, adders, adder_bits, registers, latency] =
-            numbers.map(|number| number.to_string());
+            numbers(saves).map(|number| number.to_string());
         let (need, left_out, safe) = (need.to_owned(), left_out.to_owned(), safe.to_owned());
         [need, left_out, multipliers, multiplier_bits, adders, adder_bits, registers, latency, safe]
     };
@@ -203,18 +195,22 @@ pub fn rows(savings: &Savings) -> Vec<[String; 9]> {
 fn kept(costs: &[KeepCost]) -> Vec<[String; 7]> {
     let titles = ["keeping", "multipliers", "bits", "adders", "bits", "registers", "clocks"];
     let row = |KeepCost { thing, costs }: &KeepCost| {
-        let numbers = [
-            costs.multipliers,
-            costs.multiplier_bits,
-            costs.adders,
-            costs.adder_bits,
-            costs.register_bits,
-            costs.latency,
-        ];
-        let [a, b, c, d, e, f] = numbers.map(|number| format!("{number:+}"));
+        let [a, b, c, d, e, f] = numbers(costs).map(|number| format!("{number:+}"));
         [(*thing).to_owned(), a, b, c, d, e, f]
     };
     [titles.map(str::to_owned)].into_iter().chain(costs.iter().map(row)).collect()
+}
+
+/// The numbers of both tables: multipliers, their bits, adders, their bits, register bits and clocks.
+fn numbers(delta: &SizeDelta) -> [i64; 6] {
+    [
+        delta.multipliers,
+        delta.multiplier_bits,
+        delta.adders,
+        delta.adder_bits,
+        delta.register_bits,
+        delta.latency,
+    ]
 }
 
 /// A table of saved cells; empty if they were not counted.

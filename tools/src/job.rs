@@ -67,7 +67,7 @@ impl Job {
             Some(sequence) => {
                 let fitted = sequence.map(|number, frame| {
                     let name = format!("{}, frame {number}", loaded.name);
-                    let fitted = file.spec.fit_to(&frame.frame).map_err(refused(name))?;
+                    let fitted = file.spec.fit_to(&frame).map_err(refused(name))?;
                     Ok::<_, ToolError>(fitted.spec)
                 })?;
                 fitted.iter().fold(spec, CoreSpec::with_bounds_of)
@@ -90,11 +90,7 @@ impl Job {
     /// The same job for one frame of the scene's sequence; for the scene as it is if it does not
     /// move.
     pub fn in_frame(self, number: u32) -> Result<Job, ToolError> {
-        let frame = match &self.scene.sequence {
-            Some(sequence) => sequence.frame(number)?,
-            None => return Ok(self),
-        };
-        Ok(Job { scene: self.scene.in_frame(frame), ..self })
+        Ok(Job { scene: self.scene.in_frame(number)?, ..self })
     }
 
     /// The name of its Verilog module.

@@ -21,7 +21,7 @@ pub use self::source::SourceFile;
 use crate::mesh::Warning;
 use crate::picture::Scene;
 use crate::picture::project::PictureError;
-use crate::sequence::{FrameSource, MovingScene, Script, Sequence, SequenceFrame};
+use crate::sequence::{FrameSource, MovingScene, Script, Sequence};
 use crate::{Frame, SceneError, Surface};
 
 use shown::Shown;
@@ -85,7 +85,7 @@ impl SceneFile {
             (Shown::Moving { scene, frames, script }, size) => {
                 let scene = MovingScene::new(sized(scene, size), *frames, script.clone());
                 let sequence = Sequence::new(name, FrameSource::Moving(scene.into()))?;
-                let SequenceFrame { frame, surfaces } = sequence.frame(0)?;
+                let (frame, surfaces) = (sequence.frame(0)?, sequence.surfaces(0)?);
                 Ok(View { frame, surfaces, sequence: Some(sequence) })
             }
             (Shown::Rows(rows), None) => {

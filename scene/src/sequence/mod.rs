@@ -50,15 +50,6 @@ pub enum FrameSource {
     Files(FrameFiles),
 }
 
-/// A frame of a sequence.
-#[derive(Clone, Debug)]
-pub struct SequenceFrame {
-    /// Its visible spans.
-    pub frame: Frame,
-    /// The curved surfaces that its objects represent, as [`crate::LoadedScene::surfaces`].
-    pub surfaces: Vec<Option<Surface>>,
-}
-
 impl Sequence {
     /// A sequence of these frames; `name` is the scene's in errors.
     ///
@@ -115,10 +106,16 @@ impl Sequence {
     ///
     /// # Errors
     /// [`SceneError::Picture`] if that frame cannot be drawn, or nothing is visible in it.
-    pub fn frame(&self, index: u32) -> Result<SequenceFrame, SceneError> {
-        let scene = self.scene(index)?;
-        let frame = scene.frame().map_err(|error| self.error(index, error))?;
-        Ok(SequenceFrame { frame, surfaces: scene.surfaces() })
+    pub fn frame(&self, index: u32) -> Result<Frame, SceneError> {
+        self.scene(index)?.frame().map_err(|error| self.error(index, error))
+    }
+
+    /// The curved surfaces that a frame's objects represent, as [`crate::LoadedScene::surfaces`].
+    ///
+    /// # Errors
+    /// [`SceneError`] if the frame's file cannot be read any more.
+    pub fn surfaces(&self, index: u32) -> Result<Vec<Option<Surface>>, SceneError> {
+        Ok(self.scene(index)?.surfaces())
     }
 
     /// What `of` gives for every frame, in their order; frames are made side by side.
@@ -127,7 +124,7 @@ impl Sequence {
     /// The first error of `of`, or of a frame.
     pub fn map<T: Send, E: From<SceneError> + Send>(
         &self,
-        of: impl Fn(u32, SequenceFrame) -> Result<T, E> + Sync,
+        of: impl Fn(u32, Frame) -> Result<T, E> + Sync,
     ) -> Result<Vec<T>, E> {
         // All are asked before the first error is looked for, so that it is always the same one.
         let of = |index| self.frame(index).map_err(E::from).and_then(|frame| of(index, frame));
@@ -143,7 +140,7 @@ impl Sequence {
         if let Some(known) = self.needs.get() {
             return Ok(known.clone());
         }
-        let all: Vec<Needs> = self.map(|_, frame| Ok::<_, SceneError>(Needs::of(&frame.frame)))?;
+        let all: Vec<Needs> = self.map(|_, frame| Ok::<_, SceneError>(Needs::of(&frame)))?;
         let needs = all.into_iter().reduce(Needs::and).expect("a sequence has at least one frame");
         Ok(self.needs.get_or_init(|| needs).clone())
     }

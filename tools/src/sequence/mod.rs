@@ -6,7 +6,7 @@ mod plot;
 use rayon::prelude::*;
 use serde::Serialize;
 use specula_datapath::Design;
-use specula_scene::{Sequence, SequenceFrame};
+use specula_scene::{Frame, Sequence};
 use specula_testbench::{Bench, EngineKind, Errors, Image, Outcome};
 
 use crate::error::ToolError;
@@ -93,7 +93,7 @@ pub fn shade(
     let mut by_frame = Vec::with_capacity(numbers.len());
     for numbers in numbers.chunks(batch) {
         let one = |&number: &u32| {
-            let shaded = shade_frame(job, design, simulation, number, sequence.frame(number)?);
+            let shaded = shade_frame(job, design, simulation, number, &sequence.frame(number)?);
             shaded.inspect(|_| bar.inc(1))
         };
         let shaded: Vec<Result<(ShadedFrame, Image), ToolError>> =
@@ -115,9 +115,9 @@ fn shade_frame(
     design: &Design,
     simulation: Simulation,
     number: u32,
-    SequenceFrame { frame, .. }: SequenceFrame,
+    frame: &Frame,
 ) -> Result<(ShadedFrame, Image), ToolError> {
-    let bench = Bench::of_design(&frame, job.spec(), design.clone());
+    let bench = Bench::of_design(frame, job.spec(), design.clone());
     let bench = match simulation.bubbles {
         None => bench,
         Some(seed) => bench.with_bubbles(seed.into()),
