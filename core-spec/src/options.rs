@@ -46,18 +46,18 @@ impl CoreOptions {
             .unwrap_or_default()
     }
 
-    /// The method that is named; `None` without one, or where any will do.
+    /// The method that is named, or the only one that is given options; `None` without one, or where
+    /// any will do.
     ///
     /// # Errors
     /// [`SpecError::UnknownMethod`] if there is no method of that name.
     pub(crate) fn named_method(&self) -> Result<Option<Method>, SpecError> {
-        let name = self.method.as_deref().filter(|name| *name != ANY_METHOD);
-        name.map(Method::from_name).transpose()
-    }
-
-    /// Whether it says that any method will do.
-    pub(crate) fn leaves_method_open(&self) -> bool {
-        self.method.as_deref() == Some(ANY_METHOD)
+        match (self.method.as_deref(), self.tables.as_slice()) {
+            (Some(ANY_METHOD), _) => Ok(None),
+            (Some(name), _) => Method::from_name(name).map(Some),
+            (None, [(method, _)]) => Ok(Some(*method)),
+            (None, _) => Ok(None),
+        }
     }
 
     /// What must stay an input, with its limits.

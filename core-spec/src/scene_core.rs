@@ -27,14 +27,21 @@ pub enum CoreError {
 
 /// What a loaded scene says of the core that shades it.
 pub trait SceneCore {
-    /// The core for this scene, with `method` if one is given, or else the method in the scene
-    /// file's `[core]` table, or else `lyon`. It is specialised for this frame, or for all frames
-    /// where the scene moves, unless the table has `specialise = "general"`. Formats that the table does not name are the recommended
-    /// ones.
+    /// The core for this scene, with `method` if one is given, or else the one in the scene file's
+    /// `[core]` table: the one that it names, or the only one that it has options for. Without any it
+    /// is `lyon`, or `phong` where lights or the eye are at places. The core is specialised as
+    /// [`SceneCore::as_wished`] does. Formats that the table does not name are the recommended ones.
     ///
     /// # Errors
     /// A [`CoreError`] that points at the `[core]` table, if there is one.
     fn core_spec(&self, method: Option<Method>) -> Result<CoreSpec, CoreError>;
+
+    /// This core for the scene's frame, or for all frames where the scene moves, unless the scene
+    /// file's `[core]` table has `specialise = "general"`.
+    ///
+    /// # Errors
+    /// As [`SceneCore::core_spec`].
+    fn as_wished(&self, general: CoreSpec) -> Result<CoreSpec, CoreError>;
 
     /// The general core that this scene would get with these needs; its frame is not looked at.
     ///
@@ -49,7 +56,8 @@ pub trait SceneCore {
     /// As [`SceneCore::core_spec`].
     fn core_keeping(&self, keep: &[&str], method: Option<Method>) -> Result<CoreSpec, CoreError>;
 
-    /// Whether the scene file's `[core]` table leaves the method to whoever makes the core.
+    /// Whether the scene leaves the method to whoever makes the core: it has no file, or the file's
+    /// `[core]` table says `method = "auto"`, or names no method and has options for none or several.
     ///
     /// # Errors
     /// A [`CoreError`] that points at the table, if it cannot be read.
@@ -91,11 +99,14 @@ pub trait SceneCore {
 
 impl SceneCore for LoadedScene {
     fn core_spec(&self, method: Option<Method>) -> Result<CoreSpec, CoreError> {
-        let spec = self.core_for(&self.needs()?, method)?;
+        self.as_wished(self.core_for(&self.needs()?, method)?)
+    }
+
+    fn as_wished(&self, general: CoreSpec) -> Result<CoreSpec, CoreError> {
         Ok(match (specialise(self)?, &self.sequence) {
-            (Specialise::General, _) => spec,
-            (Specialise::Scene, None) => spec.specialised(&self.frame),
-            (Specialise::Scene, Some(sequence)) => spec.survey(sequence)?.core,
+            (Specialise::General, _) => general,
+            (Specialise::Scene, None) => general.specialised(&self.frame),
+            (Specialise::Scene, Some(sequence)) => general.survey(sequence)?.core,
         })
     }
 
@@ -114,7 +125,9 @@ impl SceneCore for LoadedScene {
     }
 
     fn leaves_method_open(&self) -> Result<bool, CoreError> {
-        Ok(core_options(self)?.is_some_and(|options| options.leaves_method_open()))
+        let Some(options) = core_options(self)? else { return Ok(true) };
+        let named = options.named_method().map_err(|error| in_table(self, error))?;
+        Ok(named.is_none())
     }
 
     fn core_with(&self, options: &CoreOptions, needs: &Needs) -> Result<CoreSpec, CoreError> {
@@ -156,12 +169,7 @@ fn core_by(
     method: Option<Method>,
 ) -> Result<CoreSpec, CoreError> {
     let spec = CoreSpec::for_scene(needs, options, method);
-    let spec = spec.map_err(|error| -> CoreError {
-        match &scene.core {
-            Some(table) => table.error(table.span(), error.to_string(), error.help_text()).into(),
-            None => error.into(),
-        }
-    })?;
+    let spec = spec.map_err(|error| in_table(scene, error))?;
     Ok(match specialise(scene)? {
         Specialise::General => spec,
         Specialise::Scene => {
@@ -169,6 +177,14 @@ fn core_by(
             without_interpolation(spec, &needs, options)
         }
     })
+}
+
+/// An error that points at the scene file's `[core]` table, if there is one.
+fn in_table(scene: &LoadedScene, error: SpecError) -> CoreError {
+    match &scene.core {
+        Some(table) => table.error(table.span(), error.to_string(), error.help_text()).into(),
+        None => error.into(),
+    }
 }
 
 /// What the scene file's `[core]` table says.

@@ -83,19 +83,14 @@ impl Choice {
 ///
 /// # Errors
 /// [`CoreError`] if no method has a core for the scene, or a core cannot be built.
-pub fn choose(
-    scene: &LoadedScene,
-    goal: f64,
-    block: [u32; 2],
-    products: &Products,
-) -> Result<Choice, AutoError> {
+pub fn choose(scene: &LoadedScene, goal: f64, products: &Products) -> Result<Choice, AutoError> {
     // What is wrong with the scene's own table is told, where no core at all would be.
     scene.unnamed_formats()?;
     let needs = scene.needs()?;
     let pictures = pictures(scene)?;
     let all: Vec<Variant> = Method::ALL.into_iter().flat_map(Variant::all_of).collect();
     let frames = pictures.iter().map(|picture| picture.frame.clone()).collect();
-    let look = Look { scene, needs: &needs, pictures: &pictures, frames, block, products };
+    let look = Look { scene, needs: &needs, pictures: &pictures, frames, products };
     let mut seen: Vec<Seen> =
         all.into_par_iter().filter_map(|variant| look.at(variant, goal)).collect();
     seen.sort_by(|a, b| a.rank(goal).total_cmp(&b.rank(goal)));
@@ -112,14 +107,13 @@ pub fn choose(
 pub fn better_than(
     scene: &LoadedScene,
     spec: &CoreSpec,
-    block: [u32; 2],
     products: &Products,
 ) -> Result<Option<Candidate>, AutoError> {
     let errors = pictures(scene)?.iter().map(|picture| picture.largest_error(spec)).collect();
     let error = errors_of(errors)?;
     let design = specula_hdl::elaborate(spec, "core").map_err(BenchError::from)?;
-    let cells = Cost::of(&design, Some(block)).cells();
-    let best = choose(scene, error, block, products)?.chosen;
+    let cells = Cost::of(&design, products.block()).cells();
+    let best = choose(scene, error, products)?.chosen;
     Ok((best.error < error && best.cells < cells).then_some(best))
 }
 
@@ -202,7 +196,6 @@ struct Look<'a> {
     pictures: &'a [ExactPicture],
     /// The same without their shades.
     frames: Vec<Frame>,
-    block: [u32; 2],
     products: &'a Products,
 }
 
@@ -249,6 +242,6 @@ impl Look<'_> {
 
     fn cells(&self, spec: &CoreSpec) -> Result<u64, BenchError> {
         let design = specula_hdl::elaborate(spec, "core")?;
-        Ok(Cost::of(&design, Some(self.block)).cells())
+        Ok(Cost::of(&design, self.products.block()).cells())
     }
 }

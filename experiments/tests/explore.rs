@@ -1,7 +1,11 @@
 //! The search for a small core near exact shading.
 use specula_datapath::resources::Resources;
 use specula_datapath::target::Target;
+use specula_experiments::auto;
+use specula_experiments::cost::{Cost, GENERIC_BLOCK};
 use specula_experiments::explore::{Device, Exploration, Explored, Wanted, WantedClock, explore};
+use specula_experiments::formats::Products;
+use specula_experiments::search::{Measured, narrowest_formats};
 use specula_experiments::tradeoff::predicted_mhz;
 use specula_scene::load;
 use specula_spec::{Method, SceneCore};
@@ -39,6 +43,23 @@ fn every_core_of_the_front_is_as_good_as_is_said() {
         assert_eq!(broken.beyond_bound(), Some([quantisation, 0.25]));
         assert!(next.is_none_or(|next| next.cost.cells() > core.cost.cells() && next.error < core.error));
     }
+}
+
+#[test]
+fn the_core_that_is_chosen_is_near_the_smallest() {
+    let loaded = load("icosahedron", Some((48, 36))).unwrap();
+    let products = Products::Blocks(GENERIC_BLOCK);
+    let choice = auto::choose(&loaded, auto::GOAL, &products).unwrap();
+    assert!(choice.keeps_goal, "{}", choice.in_words());
+    // Formats of both are as narrow as errors on this picture allow.
+    let most = choice.chosen.error;
+    let found = narrowest_formats(&choice.spec, &loaded.frame, (Measured::Total, most)).unwrap();
+    let spec = found.expect("its own formats keep the error").specialised(&loaded.frame);
+    let cells = Cost::of(&specula_hdl::elaborate(&spec, "core").unwrap(), None).cells();
+    let wanted = Wanted { most, methods: &Method::ALL, device: None, target: None };
+    let exploration = explore(&loaded.frame, &wanted, &|| ()).unwrap();
+    let best = &exploration.front[exploration.best.expect("there is one")];
+    assert!(cells as f64 <= 1.15 * best.cost.cells() as f64, "{cells} cells, {best:?}");
 }
 
 #[test]

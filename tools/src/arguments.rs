@@ -5,8 +5,9 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use specula_experiments::auto;
-use specula_experiments::cost::GENERIC_BLOCK;
-use specula_experiments::formats::{self, DefaultCore, FAITHFUL, core_of_sequence, default_core};
+use specula_experiments::formats::{
+    self, DefaultCore, FAITHFUL, Products, core_of_sequence, default_core,
+};
 use specula_experiments::search::{self, Measured};
 use specula_hdl::module_name;
 use specula_scene::picture::limits;
@@ -100,7 +101,7 @@ pub struct PictureArguments {
 #[derive(Clone, Debug, Default, Args)]
 pub struct CoreArguments {
     /// Shading method; auto chooses the smallest core whose total error stays within 2 LSB on a sample
-    /// of pixels [default: what the scene says, else lyon]
+    /// of pixels [default: what the scene says, else auto]
     #[arg(long, value_parser = wished_method_parser())]
     pub method: Option<WishedMethod>,
     /// A core for this scene alone, without what the scene does not need, or a general one
@@ -136,10 +137,12 @@ impl CoreArguments {
 
     /// The core for a scene, for no clock in particular, in the formats that are asked for.
     fn in_formats(&self, scene: &LoadedScene) -> Result<DefaultCore, ToolError> {
-        let spec = match self.method {
+        if self.measured().is_some() && scene.sequence.is_some() {
+            return Err(ToolError::MeasuredSequence);
+        }
+        let spec = match self.wished_method(scene)? {
             Some(WishedMethod::Named(method)) => scene.core_spec(Some(method))?,
-            Some(WishedMethod::Auto) => self.chosen(scene)?,
-            None if scene.leaves_method_open()? => self.chosen(scene)?,
+            Some(WishedMethod::Auto) => chosen(scene, &self.made_for.products()?)?,
             None => scene.core_spec(None)?,
         };
         if let Some(lsb) = scene.refused_wraps(&spec)? {
@@ -151,8 +154,7 @@ impl CoreArguments {
         }
         let start = specialised(spec.clone(), self.specialise, &scene.frame);
         match (self.measured(), &scene.sequence) {
-            (Some(_), Some(_)) => Err(ToolError::MeasuredSequence),
-            (Some(goal), None) => self.as_measured(&spec, &scene.frame, goal),
+            (Some(goal), _) => self.as_measured(&spec, &scene.frame, goal),
             (None, Some(sequence)) if !start.specialisation.is_general() => {
                 let below = self.bound.unwrap_or(FAITHFUL);
                 let search = |start, frames: &[Frame]| self.as_proven(start, scene, frames);
@@ -162,17 +164,10 @@ impl CoreArguments {
         }
     }
 
-    /// The core that is chosen where any method will do, in recommended formats; what it was chosen
-    /// for goes to standard error.
-    fn chosen(&self, scene: &LoadedScene) -> Result<CoreSpec, ToolError> {
-        let products = self.made_for.products()?;
-        let choice = auto::choose(scene, auto::GOAL, GENERIC_BLOCK, &products)?;
-        // A closed standard error is no reason to stop.
-        let _ = writeln!(io::stderr(), "method: {}", choice.in_words());
-        Ok(match &scene.sequence {
-            None => choice.spec.specialised(&scene.frame),
-            Some(sequence) => choice.spec.survey(sequence)?.core,
-        })
+    /// The method that is asked for here, or left open by the scene; `None` if the scene decides.
+    pub fn wished_method(&self, scene: &LoadedScene) -> Result<Option<WishedMethod>, ToolError> {
+        let open = scene.leaves_method_open()?.then_some(WishedMethod::Auto);
+        Ok(self.method.or(open))
     }
 
     /// The core in the narrowest formats whose error, measured on every pixel, stays within a goal.
@@ -232,6 +227,15 @@ impl CoreArguments {
         let unnamed = self.formats.map(|formats| format!(" --formats {}", formats.name()));
         asked.into_iter().filter_map(word).chain(unnamed).collect()
     }
+}
+
+/// The core that is chosen where any method will do, in recommended formats; what it was chosen for
+/// goes to standard error.
+pub fn chosen(scene: &LoadedScene, products: &Products) -> Result<CoreSpec, ToolError> {
+    let choice = auto::choose(scene, auto::GOAL, products)?;
+    // A closed standard error is no reason to stop.
+    let _ = writeln!(io::stderr(), "method: {}", choice.in_words());
+    Ok(scene.as_wished(choice.spec)?)
 }
 
 /// The core for a frame, specialised as `--specialise` says; unchanged without the option.

@@ -7,10 +7,10 @@ use std::io::Write;
 
 use clap::Args;
 use specula_experiments::benchmark::{Budget, Measurement, Step, measure};
-use specula_spec::{Method, SceneCore, Specialise};
+use specula_spec::{Method, Specialise, UnnamedFormats};
 use specula_testbench::Bench;
 
-use crate::arguments::{method_parser, parse_size, specialise_parser, specialised};
+use crate::arguments::{CoreArguments, WishedMethod, method_parser, parse_size, specialise_parser};
 use crate::error::ToolError;
 use crate::progress;
 use crate::verdict::Verdict;
@@ -38,7 +38,7 @@ pub struct Arguments {
     /// Width and height of the picture in pixels
     #[arg(long, value_name = "WxH", allow_hyphen_values = true, default_value = "640x480", value_parser = parse_size)]
     size: (u32, u32),
-    /// Shading method [default: what the scene says, else lyon]
+    /// Shading method [default: what the scene says, else auto]
     #[arg(long, value_parser = method_parser())]
     method: Option<Method>,
     /// Make the core for this scene alone, as `run` does, or the general one, which takes every
@@ -59,8 +59,13 @@ pub struct Arguments {
 /// Measures all engines and prints the result.
 pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict, ToolError> {
     let scene = crate::scene::load(&arguments.scene, Some(arguments.size))?;
-    let spec =
-        specialised(scene.core_spec(arguments.method)?, Some(arguments.specialise), &scene.frame);
+    let wanted = CoreArguments {
+        method: arguments.method.map(WishedMethod::Named),
+        specialise: Some(arguments.specialise),
+        formats: Some(UnnamedFormats::Recommended),
+        ..CoreArguments::default()
+    };
+    let spec = wanted.core(&scene)?.spec;
     let bench = Bench::new(&scene.frame, &spec, &specula_hdl::module_name(&scene.name, &spec))?;
     let budget = Budget { rounds: arguments.rounds as usize, seconds: arguments.seconds };
     let measurement = measured(&bench, budget)?;

@@ -5,7 +5,6 @@ use clap::Args;
 use serde::Serialize;
 use specula_datapath::Design;
 use specula_experiments::auto::{self, Candidate};
-use specula_experiments::cost::GENERIC_BLOCK;
 use specula_experiments::{KeepCost, Saving, Savings, SizeDelta, Synthesis, ablation, keep_costs};
 use specula_scene::perspective::Interpolation;
 use specula_scene::{LoadedScene, Needs};
@@ -33,7 +32,7 @@ Example: specula needs teapot --method phong";
 pub struct Arguments {
     #[command(flatten)]
     scene: SceneArguments,
-    /// Shading method [default: what the scene says, else lyon]
+    /// Shading method [default: what the scene says, else auto]
     #[arg(long, value_parser = method_parser())]
     method: Option<Method>,
     /// Also synthesise the core without each need, with Yosys for an ECP5: takes half a minute or
@@ -73,7 +72,7 @@ pub fn execute(arguments: &Arguments, stdout: &mut dyn Write) -> Result<Verdict,
     let (needs, savings) = (scene.needs()?, measured(&scene, &spec, arguments.synthesis)?);
     let products = wanted.made_for.products()?;
     let keeping = keep_costs(&scene, spec.method(), &products)?;
-    let better = auto::better_than(&scene, &spec, GENERIC_BLOCK, &products)?;
+    let better = auto::better_than(&scene, &spec, &products)?;
     let report = Report {
         scene: &scene.name,
         method: spec.method().name(),

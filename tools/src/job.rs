@@ -34,7 +34,8 @@ impl Job {
     ) -> Result<Job, ToolError> {
         let loaded = scene.load()?;
         let DefaultCore { spec, not_faithful } = core.core(&loaded)?;
-        let origin = Origin::of_scene(scene, core, &spec).with_name(name);
+        let wished = core.wished_method(&loaded)?;
+        let origin = Origin::of_scene(scene, core, wished, &spec).with_name(name);
         let mut file = SpecFile { name: loaded.name.clone(), spec };
         name.rename(&mut file)?;
         Ok(Job { file, scene: loaded, origin, not_faithful })

@@ -33,16 +33,21 @@ pub struct Origin {
 }
 
 impl Origin {
-    /// The origin of a core `spec` that is made for a scene with the arguments `core`. The device
-    /// matters where formats are the cheapest on it.
-    pub fn of_scene(scene: &SceneArguments, core: &CoreArguments, spec: &CoreSpec) -> Origin {
+    /// The origin of a core `spec` that is made for a scene with the arguments `core`, of which the
+    /// method is `wished`. The device matters where formats are the cheapest on it.
+    pub fn of_scene(
+        scene: &SceneArguments,
+        core: &CoreArguments,
+        wished: Option<WishedMethod>,
+        spec: &CoreSpec,
+    ) -> Origin {
         let size = scene
             .picture
             .size
             .map(|(width, height)| format!(" --size {width}x{height}"))
             .unwrap_or_default();
         let scene = scene_name(&scene.scene);
-        let method = match core.method {
+        let method = match wished {
             Some(WishedMethod::Auto) => ANY_METHOD,
             _ => spec.method().name(),
         };
@@ -251,7 +256,7 @@ mod tests {
             SceneArguments { scene: scene.to_owned(), picture: PictureArguments { size } };
         let scene = specula_scene::load("icosahedron", Some((8, 6))).expect("it is built in");
         let spec = scene.core_spec(None).expect("it has a core");
-        Origin::of_scene(&arguments, &CoreArguments::default(), &spec)
+        Origin::of_scene(&arguments, &CoreArguments::default(), None, &spec)
     }
 
     #[test]

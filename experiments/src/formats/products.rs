@@ -61,6 +61,19 @@ impl ProductCells {
 }
 
 impl Products {
+    /// Widths of the signed operands of the blocks that products are divided among, the wider one
+    /// first; `None` where they are made of logic.
+    pub fn block(&self) -> Option<[u32; 2]> {
+        match self {
+            Products::Blocks(block) => Some(*block),
+            Products::Logic => None,
+            Products::Of(target) => {
+                let [a, b] = target.multiplier.as_ref()?.widths;
+                Some([a.max(b), a.min(b)])
+            }
+        }
+    }
+
     /// The cells of a product; at least 1.
     fn cells(&self, factors: &Factors) -> u32 {
         let [a, b] = factors.widths;

@@ -80,7 +80,7 @@ fn names_that_verilog_keeps_are_avoided() {
     let place = Place::new();
     place.write("module.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     assert_eq!(
-        place.succeeds(&["generate", "module.obj"]),
+        place.succeeds(&["generate", "module.obj", "--method", "lyon"]),
         "out/module/module_core.v\nout/module/spec.toml\n"
     );
 }
@@ -133,7 +133,8 @@ fn modules_are_not_called_as_their_ports() {
     {
         place
             .write(&format!("{name}.toml"), "size = [32, 24]\n[[object]]\nprimitive = \"torus\"\n");
-        let said = place.succeeds(&["generate", &format!("{name}.toml"), "-o", name]);
+        let file = format!("{name}.toml");
+        let said = place.succeeds(&["generate", &file, "--method", "lyon", "-o", name]);
         assert_eq!(said, format!("{name}/{name}_core.v\n{name}/spec.toml\n"));
     }
 }

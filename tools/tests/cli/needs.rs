@@ -46,17 +46,19 @@ fn two_triangles(normal: &str) -> String {
 fn flat_meshes_are_not_interpolated() {
     let place = Place::new();
     place.write("tilted.obj", two_triangles("0.4 0 0.9"));
-    let report = place.succeeds(&["needs", "tilted.obj", "--size", "64x48", "--json"]);
+    let report =
+        place.succeeds(&["needs", "tilted.obj", "--method", "lyon", "--size", "64x48", "--json"]);
     let report: Value = serde_json::from_str(&report).expect("it prints JSON");
     assert_eq!(report["needs"]["flat"], Value::Bool(false));
     place.write("flat.obj", two_triangles("-0.5 -0.5 1"));
-    place.succeeds(&["run", "flat.obj", "--size", "64x48"]);
+    place.succeeds(&["run", "flat.obj", "--method", "lyon", "--size", "64x48"]);
     let report = place.report("out/flat");
     assert_eq!(
         (&report["agrees"], &report["spec"]["method"]["lyon"]["normals"]),
         (&true.into(), &"flat".into())
     );
-    let report = place.succeeds(&["needs", "flat.obj", "--size", "64x48", "--json"]);
+    let report =
+        place.succeeds(&["needs", "flat.obj", "--method", "lyon", "--size", "64x48", "--json"]);
     let report: Value = serde_json::from_str(&report).expect("it prints JSON");
     assert_eq!(report["needs"]["flat"], Value::Bool(true));
 }
@@ -90,8 +92,9 @@ fn cells_are_counted_if_asked_for() {
 /// A perspective camera is told of, and what it does with weights; others are not.
 #[test]
 fn perspective_is_named() {
+    const TORUS: &str = "[[object]]\nprimitive = \"torus\"\n[core]\nmethod = \"lyon\"\n";
     let place = Place::new();
-    let scene = |camera: &str| format!("[camera]\n{camera}[[object]]\nprimitive = \"torus\"\n");
+    let scene = |camera: &str| format!("[camera]\n{camera}{TORUS}");
     place.write("eye.toml", scene("kind = \"perspective\"\ninterpolation = \"perspective\"\n"));
     let text = place.succeeds(&["needs", "eye.toml", "--size", "64x48"]);
     let line = "perspective; weights are perspective-correct at the ends of spans";

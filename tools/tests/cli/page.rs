@@ -97,7 +97,7 @@ fn names_are_no_markup() {
     let place = Place::new();
     let name = "<b onclick='x'>&amp;`*.obj";
     place.write(name, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    place.succeeds(&["run", name, "--size", "32x24", "-o", "r"]);
+    place.succeeds(&["run", name, "--method", "lyon", "--size", "32x24", "-o", "r"]);
     let page = page(&place, "r");
     assert_well_formed(&page);
     assert_stands_alone(&page);

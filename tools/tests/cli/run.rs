@@ -252,7 +252,7 @@ fn meshes_and_scene_files_are_scenes_too() {
         "scene.toml",
         "[[object]]\nmesh = \"Tri angle.obj\"\n[object.material]\nshininess = 8\n[core]\nmethod = \"hybrid\"\n",
     );
-    place.succeeds(&["run", "Tri angle.obj", "--size", "32x32"]);
+    place.succeeds(&["run", "Tri angle.obj", "--method", "lyon", "--size", "32x32"]);
     assert!(place.names("out/tri_angle").contains(&"tri_angle.v".to_owned()));
     place.succeeds(&["run", "./scene.toml", "--size", "32x32"]);
     assert_eq!(place.report("out/scene")["method"], "hybrid");
@@ -266,7 +266,7 @@ fn meshes_and_scene_files_are_scenes_too() {
 fn the_smallest_picture_has_a_heat_map_with_its_legend() {
     let place = Place::new();
     place.write("square.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
-    place.succeeds(&["run", "square.obj", "--size", "1x1"]);
+    place.succeeds(&["run", "square.obj", "--method", "lyon", "--size", "1x1"]);
     assert_eq!(place.report("out/square")["pixels"], 1);
 }
 

@@ -18,6 +18,8 @@ direction = [0, 0.2, 1]
 [[object]]
 primitive = \"torus\"
 level = 6
+[core]
+method = \"lyon\"
 [sequence]
 frames = 5
 [[sequence.motion]]
@@ -128,7 +130,7 @@ fn a_sequence_gives_the_same_files_every_time() {
 /// What is kept is told, and takes other scenes within it.
 #[test]
 fn what_is_kept_may_change_without_a_new_core() {
-    let core = "[core]\nkeep = [\"lights\", \"materials\"]\n[core.kept]\nshininess = [4, 64]\n";
+    let core = "keep = [\"lights\", \"materials\"]\n[core.kept]\nshininess = [4, 64]\n";
     let still = SCENE.split("[sequence]").next().unwrap();
     let place = Place::new();
     place.write("kept.toml", format!("{still}{core}"));

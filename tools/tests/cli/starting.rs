@@ -9,7 +9,8 @@ fn a_new_scene_is_a_scene_with_a_core() {
         said,
         "donut.toml: a torus under one light; `specula run donut.toml` makes its core\n"
     );
-    place.succeeds(&["generate", "donut.toml", "-o", "core"]);
+    let made = place.specula(&["generate", "donut.toml", "-o", "core"]);
+    assert!(made.status == Some(0) && made.stderr.starts_with("method: "), "{}", made.stderr);
     assert!(place.path("core").join("spec.toml").is_file());
     let again = place.specula(&["new", "donut.toml"]);
     assert_eq!(again.status, Some(2));
@@ -17,6 +18,21 @@ fn a_new_scene_is_a_scene_with_a_core() {
     for wrong in ["donut.obj", ".."] {
         assert_eq!(place.specula(&["new", wrong]).status, Some(2), "{wrong}");
     }
+}
+
+/// Options for one method say which it is; a method that is open is chosen, and the command says so.
+#[test]
+fn a_scene_without_a_method_is_given_one() {
+    let place = Place::new();
+    let torus = "[[object]]\nprimitive = \"torus\"\nlevel = 6\n";
+    place.write("one.toml", format!("{torus}[core.slerp]\npower = \"squaring\"\n"));
+    place.succeeds(&["run", "one.toml", "--size", "48x36"]);
+    assert_eq!(place.report("out/one")["method"], "slerp");
+    place.write("none.toml", torus);
+    let ended = place.specula(&["run", "none.toml", "--size", "48x36"]);
+    assert!(ended.status == Some(0) && ended.stderr.starts_with("method: "), "{}", ended.stderr);
+    let command = place.report("out/none")["command"].clone();
+    assert_eq!(command, "specula generate none.toml --size 48x36 --method auto");
 }
 
 /// Every key that the new file has in a comment is one that a scene may have.
@@ -32,7 +48,8 @@ fn what_a_new_scene_has_in_comments_is_allowed_too() {
     let all = keys.iter().fold(text.clone(), |text, key| text.replace(&format!("# {key}"), key));
     // A point light has no direction.
     place.write("all.toml", all.replace("direction = [-0.5", "# direction = [-0.5"));
-    place.succeeds(&["generate", "all.toml", "-o", "core"]);
+    let made = place.specula(&["generate", "all.toml", "-o", "core"]);
+    assert!(made.status == Some(0) && made.stderr.starts_with("method: "), "{}", made.stderr);
 }
 
 #[test]
