@@ -44,6 +44,7 @@ fn claims_that_do_not_hold_are_told() {
     assert_eq!(
         not_holding(Paper::Reshetov),
         [
+            "3.3: which is usually not noticed, as the product is very small then",
             "0.06096 suffices for q, with the exponent 2 as printed",
             "figure 11: the difference is monotone or a dome in the third angle, so that it is least at an end",
             "figure 12: whatever u, the difference is least for normals 90 degrees apart",

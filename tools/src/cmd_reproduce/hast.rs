@@ -36,6 +36,11 @@ fn wrapped_axes(section: &mut Section) -> Result<(), ToolError> {
         })
         .collect();
     section.table(["axis", "largest off, LSB", "rms, LSB"], &rows);
+    section.paragraph(
+        "The warning holds: by rms the polygon's normal is nearest. It is not the same on both sides of an edge, so that edges are seen and \
+         highlights torn there, which L and V, the same everywhere, do not do. Normals are wrapped here at every pixel, as they are interpolated between vertices, and come out shorter \
+         than those of figure 3's core, which makes the ends of each span unit vectors first: hence it is less off.",
+    );
     Ok(())
 }
 

@@ -139,7 +139,7 @@ const fn closer(quantity: &'static str, expected: (f64, f64), measure: fn() -> f
 
 const fn narrower(quantity: &'static str, expected: (f64, f64), measure: fn() -> f64) -> Claim {
     exact(
-        "a spot by reflection is too wide, so n should be smaller",
+        "a spot by reflection is smaller than by normalisation, so that a smaller n will do",
         quantity,
         expected,
         measure,
@@ -147,7 +147,7 @@ const fn narrower(quantity: &'static str, expected: (f64, f64), measure: fn() ->
             if degrees >= 60.0 {
                 Ruling::HoldsWithin("|F - P| of 1 and more")
             } else {
-                Ruling::DoesNotHold("nearer lights come out narrower")
+                Ruling::DoesNotHold("angles to a nearer light come out smaller, and its spot wider")
             }
         },
     )

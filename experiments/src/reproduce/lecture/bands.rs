@@ -62,9 +62,14 @@ fn column(edge: usize) -> f64 {
     tilted(EDGES[edge]).x
 }
 
-/// The jump of a quantity of both facets at the edge at 15 degrees.
+/// The jump of a quantity of both facets at an edge between them.
+fn jump_at(edge: usize, of: fn(Shading, usize, f64) -> f64, shading: Shading) -> f64 {
+    (of(shading, edge, column(edge)) - of(shading, edge - 1, column(edge))).abs()
+}
+
+/// The larger jump of the two edges, which are 35 degrees from the light and 5.
 fn jump(of: fn(Shading, usize, f64) -> f64, shading: Shading) -> f64 {
-    (of(shading, 2, column(2)) - of(shading, 1, column(2))).abs()
+    f64::max(jump_at(1, of, shading), jump_at(2, of, shading))
 }
 
 const BLURRED: &str =
@@ -78,29 +83,38 @@ const fn at_edge(quantity: &'static str, lsb: f64, measure: fn() -> f64) -> Clai
 }
 
 const fn of_slope(quantity: &'static str, expected: (f64, f64), measure: fn() -> f64) -> Claim {
-    exact(FEWER, quantity, expected, measure, |jump| match jump {
-        jump if jump < 0.05 => Ruling::Holds,
-        _ => Ruling::HoldsWithin("its slope jumps, which the eye sees as a band too"),
+    exact(FEWER, quantity, expected, measure, |ratio| {
+        Ruling::of(ratio < 0.5, "the slope of Phong shading jumps by as much")
     })
+}
+
+/// The jump of Phong shading's slope at an edge, over that of Gouraud shading's.
+fn ratio_of_slopes(edge: usize) -> f64 {
+    let of = |shading| jump_at(edge, Shading::slope, shading);
+    of(Shading::Phong) / of(Shading::Gouraud)
 }
 
 /// Claims about the bands; the numbers are from the formulas of a cylinder, in Python.
 pub const CLAIMS: [Claim; 5] = [
-    at_edge("jump at an edge in LSB, uniform", 11.5044, || {
-        FULL_SCALE * jump(Shading::at, Shading::Uniform)
-    }),
-    at_edge("jump at an edge in LSB, Gouraud", 0.0, || {
+    exact(
+        "uniform shading has steps of intensity at edges (Mach bands)",
+        "largest jump at an edge in LSB, uniform",
+        (75.7108, 5e-4),
+        || FULL_SCALE * jump(Shading::at, Shading::Uniform),
+        |lsb| Ruling::of(lsb >= 0.5, "there is none"),
+    ),
+    at_edge("largest jump at an edge in LSB, Gouraud", 0.0, || {
         FULL_SCALE * jump(Shading::at, Shading::Gouraud)
     }),
-    at_edge("jump at an edge in LSB, Phong", 0.0, || {
+    at_edge("largest jump at an edge in LSB, Phong", 0.0, || {
         FULL_SCALE * jump(Shading::at, Shading::Phong)
     }),
-    of_slope("jump of the slope there in full scales a radius, Gouraud", (0.542_53, 5e-6), || {
-        jump(Shading::slope, Shading::Gouraud)
-    }),
-    of_slope("jump of the slope there in full scales a radius, Phong", (0.013_02, 5e-6), || {
-        jump(Shading::slope, Shading::Phong)
-    }),
+    of_slope(
+        "jump of the slope, Phong's over Gouraud's, edge 35 degrees from the light",
+        (0.157_98, 5e-6),
+        || ratio_of_slopes(1),
+    ),
+    of_slope("the same, edge 5 degrees from the light", (0.024_01, 5e-6), || ratio_of_slopes(2)),
 ];
 
 /// Intensity and its slope across three facets.

@@ -2,6 +2,7 @@
 mod bands;
 mod edges;
 mod exercises;
+pub(super) mod highlights;
 pub mod quadrilateral;
 
 use glam::DVec3;
@@ -18,8 +19,14 @@ use crate::stress::draw::{tilted, turned};
 
 /// All claims, in the order of the lecture.
 pub(super) fn claims() -> Vec<&'static Claim> {
-    let groups: [&'static [Claim]; 5] =
-        [&quadrilateral::CLAIMS, &bands::CLAIMS, &CLAIMS, &edges::CLAIMS, &exercises::CLAIMS];
+    let groups: [&'static [Claim]; 6] = [
+        &quadrilateral::CLAIMS,
+        &bands::CLAIMS,
+        &highlights::CLAIMS,
+        &CLAIMS,
+        &edges::CLAIMS,
+        &exercises::CLAIMS,
+    ];
     groups.into_iter().flatten().collect()
 }
 

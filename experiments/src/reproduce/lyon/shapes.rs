@@ -135,10 +135,17 @@ const fn row_10(quantity: &'static str, expected: (f64, f64), measure: fn() -> f
 }
 
 /// Numbers are in units of full scale unless a claim says otherwise.
-pub const CLAIMS: [Claim; 26] = [
+pub const CLAIMS: [Claim; 27] = [
     exact("|D| is 2 sin(alpha/2)", "largest difference", (0.0, 5e-15), chord_error, |error| {
         Ruling::of(error < 5e-15, "it differs")
     }),
+    exact(
+        "row 12 (Trowbridge and Reitz) never drops to zero",
+        "least height, n = 100",
+        (9.802_96e-5, 5e-10),
+        || formulation(Formulation::TrowbridgeReitz, 100, DVec3::X, DVec3::Z),
+        |height| Ruling::of(height > 0.0, "it does"),
+    ),
     exact(
         "|D| is about 1.41 at 90 degrees",
         "|D|",

@@ -95,7 +95,7 @@ fn fastest_of_others(timed: &Timed) -> Option<f64> {
 }
 
 /// The claims, in the papers' order.
-pub const CLAIMS: [SpeedClaim; 14] = [
+pub const CLAIMS: [SpeedClaim; 16] = [
     SpeedClaim {
         paper: Paper::Lecture,
         what: "Gouraud shading is the fastest of all",
@@ -168,9 +168,23 @@ pub const CLAIMS: [SpeedClaim; 14] = [
     },
     SpeedClaim {
         paper: Paper::Hast,
+        what: "a root and its division for two divisions and a root: (34) is probably faster than (33)",
+        quantity: "(34)/(33), a pixel",
+        ratio: |timed| quotient(timed, ["duff", "duff-quotient"], pixel),
+        judge: faster,
+    },
+    SpeedClaim {
+        paper: Paper::Hast,
         what: "wrapped directions to a lamp and an eye (36 to 38) are faster than normalised ones",
         quantity: "wrapped/naive, a pixel",
         ratio: |timed| against_naive(timed, "phong-wrapped-places", pixel),
+        judge: faster,
+    },
+    SpeedClaim {
+        paper: Paper::Lyon,
+        what: "the reformulation may be faster in software",
+        quantity: "R - L with f_2/naive, a pixel",
+        ratio: |timed| against_naive(timed, "lyon-reflection", pixel),
         judge: faster,
     },
     SpeedClaim {

@@ -23,7 +23,7 @@ pub struct Algorithm {
 }
 
 /// The algorithms: the lecture's four, Hast's and Reshetov's.
-pub const ALGORITHMS: [Algorithm; 12] = [
+pub const ALGORITHMS: [Algorithm; 14] = [
     Algorithm { seen_from: "vertices", ..everywhere("Gouraud shading", "gouraud") },
     Algorithm {
         title: "naive Phong shading",
@@ -40,6 +40,8 @@ pub const ALGORITHMS: [Algorithm; 12] = [
     everywhere("fast Phong shading, one Newton step", "fast-phong"),
     everywhere("Phong shading by slerp", "slerp"),
     everywhere("Duff, eq. 34", "duff"),
+    everywhere("Duff, eq. 33", "duff-quotient"),
+    everywhere("Lyon, R - L and f_2", "lyon-reflection"),
     Algorithm {
         seen_from: "vertices and middles of spans",
         ..everywhere("hybrid shading", "hybrid")

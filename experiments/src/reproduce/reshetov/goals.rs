@@ -8,7 +8,8 @@ use specula_golden::exact::formula::consistent::{
 use specula_scene::picture::{ConedFace, coned_faces};
 use specula_scene::primitive::Primitive;
 
-use super::super::claim::{Claim, Ground, Ruling};
+use super::super::angle::angle_between;
+use super::super::claim::{Claim, Ground, Ruling, exact};
 use super::super::maximum::largest;
 use crate::stress::draw::{tilted, turned};
 
@@ -103,6 +104,39 @@ fn half_length(curve: fn(f64) -> f64) -> f64 {
     })
 }
 
+/// The cosine that light from 1 degree behind a face has with a normal 30 degrees from the face's,
+/// towards the light: Phong's, or the consistent normal's.
+fn behind(cosine_of: fn(DVec3, DVec3) -> f64) -> f64 {
+    cosine_of(DVec3::Z, tilted(91.0 - LEAN))
+}
+
+/// Degrees between a face's normal and the interpolated one.
+const LEAN: f64 = 30.0;
+
+fn consistent_cosine(normal: DVec3, incoming: DVec3) -> f64 {
+    cosine(incoming, reflection(normal, incoming, rational_q(LEAN.to_radians())))
+}
+
+/// The largest angle in degrees between an incoming direction and what comes back along the reverse
+/// of its path.
+fn reversed() -> f64 {
+    let q = rational_q(LEAN.to_radians());
+    largest(|t| {
+        let incoming = tilted((90.0 - LEAN) * (2.0 * t - 1.0));
+        let back = reflection(DVec3::Z, reflection(DVec3::Z, incoming, q), q);
+        angle_between(back, incoming).to_degrees()
+    })
+}
+
+const NO_CULLING: &str =
+    "3.3: light from behind a face may have a positive product with the normal, also Phong's";
+
+const fn behind_face(quantity: &'static str, expected: f64, measure: fn() -> f64) -> Claim {
+    exact(NO_CULLING, quantity, (expected, 5e-6), measure, |cosine| {
+        Ruling::of(cosine > 0.0, "it has none")
+    })
+}
+
 const fn goal(what: &'static str, quantity: &'static str, measure: fn() -> f64) -> Claim {
     // docs/numerics.md has all of them to 1e-15, with numbers up to 4.
     Claim {
@@ -116,7 +150,7 @@ const fn goal(what: &'static str, quantity: &'static str, measure: fn() -> f64) 
 }
 
 /// Claims about the goals; one number for both curves where both reach it.
-pub const CLAIMS: [Claim; 9] = [
+pub const CLAIMS: [Claim; 13] = [
     goal(
         "goal 1: r is continuous across edges",
         "largest jump between faces of an icosahedron",
@@ -167,4 +201,22 @@ pub const CLAIMS: [Claim; 9] = [
         },
     },
     goal("(8): N_c.I is |I + r|/2", "largest difference", || by_both(half_length)),
+    behind_face("N.L, 1 degree behind a face 30 degrees from N", 0.484_81, || {
+        behind(|normal, light| normal.dot(light))
+    }),
+    behind_face("the same of N_c.L (q~)", 0.678_97, || behind(consistent_cosine)),
+    exact(
+        "3.3: which is usually not noticed, as the product is very small then",
+        "the larger of the two",
+        (0.678_97, 5e-6),
+        || f64::max(behind(|normal, light| normal.dot(light)), behind(consistent_cosine)),
+        |cosine| Ruling::of(cosine < 0.1, "it is large where a face leans far from its normals"),
+    ),
+    exact(
+        "3.3: the reverse of a path of light is another path",
+        "largest angle between both in degrees, face 30 degrees from N (q~)",
+        (41.4737, 5e-4),
+        reversed,
+        |degrees| Ruling::of(degrees > 0.0, "it is the same"),
+    ),
 ];

@@ -1,8 +1,9 @@
 //! Lights and eyes at places.
 use glam::DVec3;
-use specula_spec::lyon::Normalisation;
+use specula_golden::exact::formula::normalisation::gain;
+use specula_spec::lyon::Difference;
 use specula_spec::phong::{Highlight, Places};
-use specula_spec::{CoreSpec, MethodSpec};
+use specula_spec::{CoreSpec, LyonSpec, MethodSpec};
 
 use crate::stress::draw::{Draw, tilted};
 use crate::stress::row::{Case, CatalogueRow, Pixel, scenes};
@@ -37,15 +38,28 @@ fn is_wrapped(spec: &CoreSpec) -> bool {
     }
 }
 
-/// Whether the core sees places from every pixel, along directions of about unit length. `hybrid`
-/// does so for its highlights alone.
+/// Whether the core sees places from every pixel, along directions of about unit length, and is to
+/// have Phong's own highlight. `hybrid` sees so for its highlights alone.
 fn follows_ways(spec: &CoreSpec) -> bool {
     let is_asked = match &spec.method {
         MethodSpec::Phong(_) | MethodSpec::Hybrid(_) => false,
-        MethodSpec::Lyon(lyon) => lyon.normalisation != Normalisation::None,
+        MethodSpec::Lyon(lyon) => {
+            has_unit_ways(lyon, spec.parameters.shortest_way) && is_near_the_power(lyon)
+        }
         _ => true,
     };
     spec.follows_ways() && is_asked
+}
+
+/// Whether what g1, g2 and Newton's steps make of the shortest direction is too long or too short by
+/// 1 % at most.
+fn has_unit_ways(lyon: &LyonSpec, shortest: f64) -> bool {
+    (gain(lyon, shortest * shortest) * shortest - 1.0).abs() <= 0.01
+}
+
+/// Whether the shape is f_2 of H x N: others may differ from the power by more than is asked.
+fn is_near_the_power(lyon: &LyonSpec) -> bool {
+    lyon.difference == Difference::HalfwayCrossNormal && lyon.terms() == 4
 }
 
 /// Row 39.

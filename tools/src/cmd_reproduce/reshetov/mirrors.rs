@@ -13,8 +13,8 @@ use crate::picture::{Panel, side_by_side};
 pub fn add(section: &mut Section, mesh: &PicturedMesh) {
     section.heading(3, "Figure 1: environment lighting and traced reflections");
     section.paragraph(
-        "Perfect mirrors in f64, in a small procedural environment: of the reflected direction alone (figure 1c and d; what is reflected into the \
-         surface is green), or with the mesh itself, traced through four reflections (a, b and e; black). In the middle Snyder and Barr's fix: the \
+        "The paper's models (Emotiguy, Dinokonda, Toon Dragon) cannot be had; these are others. Perfect mirrors in f64, in a small procedural \
+         environment: of the reflected direction alone (figure 1c and d; what is reflected into the surface is green), or with the mesh itself, traced through four reflections (a, b and e; black). In the middle Snyder and Barr's fix: the \
          face's normal where Phong's would reflect into the face. It leaves no ray inside and tears the reflection along the border of what it \
          mends, which shows as facets at silhouettes.",
     );
