@@ -1,8 +1,10 @@
 //! How view space becomes a picture.
 use glam::{DMat3, DVec3};
+use rayon::prelude::*;
 
 use super::camera::{Camera, Window};
-use super::coverage::Point;
+use super::clip::HalfSpace;
+use super::coverage::{Coverage, Point};
 use super::error::PictureError;
 use super::pinhole::Pinhole;
 use crate::frame::EYE;
@@ -33,6 +35,22 @@ pub(super) struct Piece {
     pub nearness: [f64; 3],
     /// What it is of the triangle, in perspective.
     pub perspective: Option<Perspective>,
+}
+
+/// What is seen of a triangle: nothing, the triangle, or pieces of it.
+#[derive(Default)]
+pub(super) struct Pieces {
+    whole: Option<Piece>,
+    parts: std::vec::IntoIter<Piece>,
+}
+
+/// A point of view space in the picture.
+#[derive(Clone, Copy)]
+pub(super) struct Mark {
+    /// The nearest grid point; `None` beyond the grid.
+    point: Option<Point>,
+    /// A bit for each side of the picture that it is beyond, or that hides it from the eye.
+    beyond: u8,
 }
 
 impl View {
@@ -111,38 +129,114 @@ impl View {
         }
     }
 
+    /// Where points of view space are in the picture.
+    pub fn marks(&self, points: &[DVec3]) -> Vec<Mark> {
+        match &self.lines {
+            Lines::Parallel(window) => {
+                let mark = |&point: &DVec3| self.parallel_mark(window, point);
+                points.par_iter().map(mark).collect()
+            }
+            Lines::Central(pinhole) => {
+                let sight = pinhole.sight(self.size);
+                let mark = |&point: &DVec3| self.central_mark(pinhole, &sight, point);
+                points.par_iter().map(mark).collect()
+            }
+        }
+    }
+
+    fn parallel_mark(&self, window: &Window, point: DVec3) -> Mark {
+        let [x, y] = window.place(point, self.size);
+        let [width, height] = [self.size.0, self.size.1].map(f64::from);
+        let beyond = [x < 0.0, x > width, y < 0.0, y > height];
+        Mark { point: Point::snap(x, y), beyond: bits(beyond) }
+    }
+
+    fn central_mark(&self, pinhole: &Pinhole, sight: &[HalfSpace; 5], point: DVec3) -> Mark {
+        let seen = point - pinhole.eye;
+        let [x, y] = pinhole.place_in(seen, self.size);
+        Mark {
+            point: Point::snap(x, y),
+            beyond: bits(sight.each_ref().map(|side| !side.contains(seen))),
+        }
+    }
+
     /// What may be in the picture of a triangle of view space: nothing, the triangle, or pieces.
     ///
     /// # Errors
     /// [`PictureError::TooClose`] if a corner is too far outside the picture for exact arithmetic.
-    pub fn pieces(&self, corners: [DVec3; 3]) -> Result<Vec<Piece>, PictureError> {
+    pub fn pieces(&self, corners: [DVec3; 3]) -> Result<Pieces, PictureError> {
+        let mark = |point| match &self.lines {
+            Lines::Parallel(window) => self.parallel_mark(window, point),
+            Lines::Central(pinhole) => self.central_mark(pinhole, &pinhole.sight(self.size), point),
+        };
+        self.pieces_at(corners, corners.map(mark))
+    }
+
+    /// The same, where the [`View::marks`] of the corners are known.
+    ///
+    /// # Errors
+    /// As [`View::pieces`].
+    pub fn pieces_at(&self, corners: [DVec3; 3], marks: [Mark; 3]) -> Result<Pieces, PictureError> {
+        let [any, all] = [
+            marks.iter().fold(0, |any, mark| any | mark.beyond),
+            marks.iter().fold(u8::MAX, |all, mark| all & mark.beyond),
+        ];
         match &self.lines {
-            Lines::Parallel(window) => {
-                let places = corners.map(|corner| window.place(corner, self.size));
-                if self.is_outside(places) {
-                    return Ok(Vec::new());
-                }
-                let points = snapped(places).ok_or(PictureError::TooClose)?;
+            Lines::Parallel(_) if all != 0 => Ok(Pieces::default()),
+            Lines::Parallel(_) => {
+                let points = points_of(marks).ok_or(PictureError::TooClose)?;
                 let nearness = corners.map(|corner| corner.z);
-                Ok(vec![Piece { points, nearness, perspective: None }])
+                Ok(Pieces::whole(Piece { points, nearness, perspective: None }))
             }
+            Lines::Central(pinhole) if any == 0 => {
+                let seen = pinhole.whole(corners);
+                let piece =
+                    |points| Piece { points, nearness: seen.nearness, perspective: Some(seen) };
+                Ok(points_of(marks).map(piece).map(Pieces::whole).unwrap_or_default())
+            }
+            // The first side that cuts anything off cuts off all.
+            Lines::Central(_) if all & any & any.wrapping_neg() != 0 => Ok(Pieces::default()),
             Lines::Central(pinhole) => {
                 let piece = |(places, seen): ([[f64; 2]; 3], Perspective)| {
                     let (points, nearness) = (snapped(places)?, seen.nearness);
                     Some(Piece { points, nearness, perspective: Some(seen) })
                 };
-                Ok(pinhole.pieces(corners, self.size).filter_map(piece).collect())
+                let parts: Vec<Piece> =
+                    pinhole.pieces(corners, self.size).filter_map(piece).collect();
+                Ok(Pieces { whole: None, parts: parts.into_iter() })
             }
         }
     }
 
-    /// Whether all corners are beyond the same side of the picture.
-    fn is_outside(&self, places: [[f64; 2]; 3]) -> bool {
-        let beyond = |axis: usize, size: u32| {
-            let size = f64::from(size);
-            places.iter().all(|p| p[axis] < 0.0) || places.iter().all(|p| p[axis] > size)
-        };
-        beyond(0, self.size.0) || beyond(1, self.size.1)
+    /// The pixels that a triangle with these corners covers; `None` if it has no area, or if none of
+    /// the picture's pixels has its centre in the rectangle around it.
+    pub fn coverage(&self, points: [Point; 3]) -> Option<Coverage> {
+        let is_seen = Coverage::may_cover(&points, self.size.0, self.size.1);
+        is_seen.then(|| Coverage::new(points)).flatten()
+    }
+}
+
+/// A number with a bit for each side.
+fn bits<const SIDES: usize>(sides: [bool; SIDES]) -> u8 {
+    (0..).zip(sides).fold(0, |bits, (side, is_set)| bits | u8::from(is_set) << side)
+}
+
+fn points_of(marks: [Mark; 3]) -> Option<[Point; 3]> {
+    let [a, b, c] = marks.map(|mark| mark.point);
+    Some([a?, b?, c?])
+}
+
+impl Pieces {
+    fn whole(piece: Piece) -> Pieces {
+        Pieces { whole: Some(piece), parts: Vec::new().into_iter() }
+    }
+}
+
+impl Iterator for Pieces {
+    type Item = Piece;
+
+    fn next(&mut self) -> Option<Piece> {
+        self.whole.take().or_else(|| self.parts.next())
     }
 }
 
@@ -158,7 +252,6 @@ mod tests {
 
     use super::*;
     use crate::picture::camera::Lens;
-    use crate::picture::coverage::Coverage;
 
     const SIZE: (u32, u32) = (24, 18);
 
