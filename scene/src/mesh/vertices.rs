@@ -52,6 +52,11 @@ impl Vertices {
         self.at_corners.len()
     }
 
+    /// The number of vertices.
+    pub fn count(&self) -> usize {
+        self.begins.len() - 1
+    }
+
     /// The vertices at a triangle's corners.
     pub fn at_corners(&self, triangle: usize) -> [u32; 3] {
         self.at_corners[triangle]
@@ -108,7 +113,7 @@ mod tests {
     fn faces_are_around_the_vertices_that_they_share() {
         let mesh = Primitive::Sphere { level: 1 }.mesh();
         let vertices = Vertices::of(&mesh);
-        assert_eq!((mesh.triangles.len(), vertices.begins.len()), (8, 7));
+        assert_eq!((mesh.triangles.len(), vertices.count()), (8, 6));
         for vertex in 0..6 {
             let around = vertices.around(vertex);
             let is_at = |&triangle: &u32| vertices.at_corners(triangle as usize).contains(&vertex);

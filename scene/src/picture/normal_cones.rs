@@ -20,39 +20,62 @@ pub(super) struct Face {
     pub outward: Option<DVec3>,
 }
 
-/// The faces around vertices.
+/// The cones of vertices, and the faces around them.
 pub(super) struct VertexFans<'m> {
     vertices: &'m Vertices,
     /// The normal of each triangle that is around one of them, as in [`Face`].
     outward: Vec<Option<DVec3>>,
+    /// For each of them the normal at one of its corners, and the cone about that.
+    cones: Vec<Option<(DVec3, VertexCone)>>,
 }
 
 impl<'m> VertexFans<'m> {
-    /// The faces around the corners of some triangles; `outward` gives the own normal of any.
+    /// The fans around the corners of some triangles. `outward` gives the own normal of any triangle,
+    /// `normal` that at one of its corners.
     pub fn around(
         triangles: impl Iterator<Item = usize>,
         vertices: &'m Vertices,
         outward: impl Fn(usize) -> Option<DVec3> + Sync,
+        normal: impl Fn(usize, usize) -> DVec3 + Sync,
     ) -> VertexFans<'m> {
-        let mut is_wanted = vec![false; vertices.triangles()];
-        for vertex in triangles.flat_map(|triangle| vertices.at_corners(triangle)) {
-            for &triangle in vertices.around(vertex) {
-                is_wanted[triangle as usize] = true;
+        let mut is_around = vec![false; vertices.triangles()];
+        let mut first_corners = vec![None; vertices.count()];
+        for triangle in triangles {
+            for (v, vertex) in (0..3).zip(vertices.at_corners(triangle)) {
+                let first = &mut first_corners[vertex as usize];
+                if first.is_none() {
+                    *first = Some((triangle as u32, v));
+                    let around = vertices.around(vertex).iter();
+                    around.for_each(|&triangle| is_around[triangle as usize] = true);
+                }
             }
         }
-        let own = |(triangle, &is_wanted): (usize, &bool)| {
-            if is_wanted { outward(triangle) } else { None }
+        let own = |(triangle, &is_around): (usize, &bool)| {
+            if is_around { outward(triangle) } else { None }
         };
-        VertexFans { vertices, outward: is_wanted.par_iter().enumerate().map(own).collect() }
+        let outward = is_around.par_iter().enumerate().map(own).collect();
+        let fans = VertexFans { vertices, outward, cones: vec![] };
+        let cone = |(vertex, first): (usize, &Option<(u32, u32)>)| {
+            let normal = first.map(|(triangle, v)| normal(triangle as usize, v as usize))?;
+            Some((normal, fans.cone(vertex as u32, normal)))
+        };
+        let cones = first_corners.par_iter().enumerate().map(cone).collect();
+        VertexFans { cones, ..fans }
     }
 
     /// The cones at the corners of a triangle, of which the face is given.
     pub fn cones(&self, triangle: usize, face: &Face) -> [VertexCone; 3] {
         let vertices = self.vertices.at_corners(triangle);
-        std::array::from_fn(|v| {
-            let around = self.vertices.around(vertices[v]).iter();
-            cone(face.normals[v], around.filter_map(|&face| self.outward[face as usize]))
+        std::array::from_fn(|v| match self.cones[vertices[v] as usize] {
+            // Normals of one vertex may differ by a rounding.
+            Some((normal, cone)) if normal == face.normals[v] => cone,
+            _ => self.cone(vertices[v], face.normals[v]),
         })
+    }
+
+    fn cone(&self, vertex: u32, normal: DVec3) -> VertexCone {
+        let around = self.vertices.around(vertex).iter();
+        cone(normal, around.filter_map(|&face| self.outward[face as usize]))
     }
 }
 

@@ -91,20 +91,21 @@ impl Pinhole {
             let piece = [polygon[0], polygon[k], polygon[k + 1]];
             let seen = Perspective {
                 corners: piece.map(|corner| corner.weights.to_array()),
-                nearness: piece.map(|corner| this.distance(corner.place).recip()),
+                nearness: piece.map(|corner| this.nearness(corner.place)),
                 interpolation: this.interpolation,
             };
             (piece.map(|corner| this.place_in(corner.place, size)), seen)
         })
     }
 
-    /// What is seen of a triangle of view space that is within the [`Pinhole::sight`].
-    pub fn whole(&self, corners: [DVec3; 3]) -> Perspective {
-        Perspective {
-            corners: Perspective::WHOLE,
-            nearness: corners.map(|corner| self.distance(corner - self.eye).recip()),
-            interpolation: self.interpolation,
-        }
+    /// What is seen of a triangle within the [`Pinhole::sight`] whose corners are so near.
+    pub fn whole(&self, nearness: [f64; 3]) -> Perspective {
+        Perspective { corners: Perspective::WHOLE, nearness, interpolation: self.interpolation }
+    }
+
+    /// The reciprocal distance of a place, given from the eye.
+    pub fn nearness(&self, place: DVec3) -> f64 {
+        self.distance(place).recip()
     }
 
     /// The place in a picture of `size`, in pixels, of a point within the [`Pinhole::sight`], which

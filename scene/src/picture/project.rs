@@ -40,10 +40,7 @@ impl Scene {
             let object = name.object as usize;
             seen[object].triangle(name, &fans[object], &view)
         };
-        // All are made before the first error is looked for, so that it is always the same one.
-        let triangles: Vec<Result<Triangle, PictureError>> =
-            kept.par_iter().map(triangle).collect();
-        let triangles: Vec<Triangle> = triangles.into_iter().collect::<Result<_, _>>()?;
+        let triangles: Vec<Triangle> = kept.par_iter().map(triangle).collect();
         let spans = spans.into_iter().map(|span| with_weights_of(&triangles, span)).collect();
         let view = ViewTransform { rotation, centre: view.middle() };
         Ok(Frame {
@@ -141,11 +138,10 @@ fn project(
         let marks = seen.marks(view);
         // Scenes have far fewer than 2^32 objects, triangles and pieces.
         for triangle in 0..seen.triangles() as u32 {
-            let indices = seen.indices(triangle as usize);
-            let at_corners = indices.map(|k| marks[k]);
-            for (piece, Piece { points, nearness, .. }) in
-                (0..).zip(view.pieces_at(seen.places(triangle as usize), at_corners)?)
-            {
+            let at_corners = seen.indices(triangle as usize).map(|k| marks[k]);
+            let places = || seen.places(triangle as usize);
+            let pieces = view.pieces_at(at_corners, places).ok_or(PictureError::TooClose)?;
+            for (piece, Piece { points, nearness, .. }) in (0..).zip(pieces) {
                 if let Some(coverage) = view.coverage(points) {
                     names.push(TriangleId { object, triangle, piece });
                     projected.push(Projected { coverage, nearness });

@@ -49,6 +49,8 @@ pub(super) struct Pieces {
 pub(super) struct Mark {
     /// The nearest grid point; `None` beyond the grid.
     point: Option<Point>,
+    /// Linear on the screen; larger is nearer.
+    nearness: f64,
     /// A bit for each side of the picture that it is beyond, or that hides it from the eye.
     beyond: u8,
 }
@@ -148,7 +150,7 @@ impl View {
         let [x, y] = window.place(point, self.size);
         let [width, height] = [self.size.0, self.size.1].map(f64::from);
         let beyond = [x < 0.0, x > width, y < 0.0, y > height];
-        Mark { point: Point::snap(x, y), beyond: bits(beyond) }
+        Mark { point: Point::snap(x, y), nearness: point.z, beyond: bits(beyond) }
     }
 
     fn central_mark(&self, pinhole: &Pinhole, sight: &[HalfSpace; 5], point: DVec3) -> Mark {
@@ -156,54 +158,47 @@ impl View {
         let [x, y] = pinhole.place_in(seen, self.size);
         Mark {
             point: Point::snap(x, y),
+            nearness: pinhole.nearness(seen),
             beyond: bits(sight.each_ref().map(|side| !side.contains(seen))),
         }
     }
 
-    /// What may be in the picture of a triangle of view space: nothing, the triangle, or pieces.
-    ///
-    /// # Errors
-    /// [`PictureError::TooClose`] if a corner is too far outside the picture for exact arithmetic.
-    pub fn pieces(&self, corners: [DVec3; 3]) -> Result<Pieces, PictureError> {
+    /// What may be in the picture of a triangle of view space: nothing, the triangle, or pieces; also
+    /// nothing if a corner is beyond the grid.
+    pub fn pieces(&self, corners: [DVec3; 3]) -> Pieces {
         let mark = |point| match &self.lines {
             Lines::Parallel(window) => self.parallel_mark(window, point),
             Lines::Central(pinhole) => self.central_mark(pinhole, &pinhole.sight(self.size), point),
         };
-        self.pieces_at(corners, corners.map(mark))
+        self.pieces_at(corners.map(mark), || corners).unwrap_or_default()
     }
 
-    /// The same, where the [`View::marks`] of the corners are known.
-    ///
-    /// # Errors
-    /// As [`View::pieces`].
-    pub fn pieces_at(&self, corners: [DVec3; 3], marks: [Mark; 3]) -> Result<Pieces, PictureError> {
-        let [any, all] = [
-            marks.iter().fold(0, |any, mark| any | mark.beyond),
-            marks.iter().fold(u8::MAX, |all, mark| all & mark.beyond),
-        ];
+    /// The same, where the [`View::marks`] of the corners are known; `None` if one of a triangle that
+    /// may be in the picture is too far outside it for exact arithmetic.
+    pub fn pieces_at(
+        &self,
+        marks: [Mark; 3],
+        corners: impl FnOnce() -> [DVec3; 3],
+    ) -> Option<Pieces> {
+        let any = marks.iter().fold(0, |any, mark| any | mark.beyond);
+        let all = marks.iter().fold(u8::MAX, |all, mark| all & mark.beyond);
         match &self.lines {
-            Lines::Parallel(_) if all != 0 => Ok(Pieces::default()),
-            Lines::Parallel(_) => {
-                let points = points_of(marks).ok_or(PictureError::TooClose)?;
-                let nearness = corners.map(|corner| corner.z);
-                Ok(Pieces::whole(Piece { points, nearness, perspective: None }))
-            }
+            Lines::Parallel(_) if all != 0 => Some(Pieces::default()),
+            Lines::Parallel(_) => Pieces::whole(marks, None),
             Lines::Central(pinhole) if any == 0 => {
-                let seen = pinhole.whole(corners);
-                let piece =
-                    |points| Piece { points, nearness: seen.nearness, perspective: Some(seen) };
-                Ok(points_of(marks).map(piece).map(Pieces::whole).unwrap_or_default())
+                let nearness = marks.map(|mark| mark.nearness);
+                Pieces::whole(marks, Some(pinhole.whole(nearness)))
             }
             // The first side that cuts anything off cuts off all.
-            Lines::Central(_) if all & any & any.wrapping_neg() != 0 => Ok(Pieces::default()),
+            Lines::Central(_) if all & any & any.wrapping_neg() != 0 => Some(Pieces::default()),
             Lines::Central(pinhole) => {
                 let piece = |(places, seen): ([[f64; 2]; 3], Perspective)| {
                     let (points, nearness) = (snapped(places)?, seen.nearness);
                     Some(Piece { points, nearness, perspective: Some(seen) })
                 };
-                let parts: Vec<Piece> =
-                    pinhole.pieces(corners, self.size).filter_map(piece).collect();
-                Ok(Pieces { whole: None, parts: parts.into_iter() })
+                let parts = pinhole.pieces(corners(), self.size).filter_map(piece);
+                let parts: Vec<Piece> = parts.collect();
+                Some(Pieces { whole: None, parts: parts.into_iter() })
             }
         }
     }
@@ -221,14 +216,13 @@ fn bits<const SIDES: usize>(sides: [bool; SIDES]) -> u8 {
     (0..).zip(sides).fold(0, |bits, (side, is_set)| bits | u8::from(is_set) << side)
 }
 
-fn points_of(marks: [Mark; 3]) -> Option<[Point; 3]> {
-    let [a, b, c] = marks.map(|mark| mark.point);
-    Some([a?, b?, c?])
-}
-
 impl Pieces {
-    fn whole(piece: Piece) -> Pieces {
-        Pieces { whole: Some(piece), parts: Vec::new().into_iter() }
+    /// A triangle that is seen as a whole; `None` if a corner is beyond the grid.
+    fn whole(marks: [Mark; 3], perspective: Option<Perspective>) -> Option<Pieces> {
+        let [a, b, c] = marks.map(|mark| mark.point);
+        let (points, nearness) = ([a?, b?, c?], marks.map(|mark| mark.nearness));
+        let whole = Some(Piece { points, nearness, perspective });
+        Some(Pieces { whole, parts: Vec::new().into_iter() })
     }
 }
 
@@ -269,7 +263,7 @@ mod tests {
     /// How often each pixel is covered by triangles.
     fn counts(view: &View, triangles: &[[DVec3; 3]]) -> Vec<u32> {
         let mut counts = vec![0; (SIZE.0 * SIZE.1) as usize];
-        let pieces = |&corners: &[DVec3; 3]| view.pieces(corners).unwrap_or_default();
+        let pieces = |&corners: &[DVec3; 3]| view.pieces(corners);
         let pieces = triangles.iter().flat_map(pieces);
         for coverage in pieces.filter_map(|piece| Coverage::new(piece.points)) {
             for (y, columns) in coverage.runs(SIZE.0, SIZE.1) {

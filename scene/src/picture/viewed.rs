@@ -3,7 +3,6 @@ use glam::{DAffine3, DMat3, DVec3};
 use rayon::prelude::*;
 
 use super::coverage::Point;
-use super::error::PictureError;
 use super::normal_cones::{Face, VertexFans};
 use super::scene::Object;
 use super::view::{Mark, View};
@@ -68,8 +67,7 @@ impl<'a> ViewedObject<'a> {
         let places = self.places(triangle);
         let face = newell(&places);
         let fallback = face.unwrap_or(DVec3::Z);
-        let normals = self.object.mesh.normals[triangle]
-            .map(|n| direction_of(self.to_normals * n).unwrap_or(fallback));
+        let normals = std::array::from_fn(|v| self.normal(triangle, v).unwrap_or(fallback));
         let outward =
             face.map(|face| if face.dot(normals.iter().sum()) < 0.0 { -face } else { face });
         Face { places, normals, outward }
@@ -77,26 +75,29 @@ impl<'a> ViewedObject<'a> {
 
     /// The faces around the vertices of these triangles.
     pub fn fans(&self, triangles: impl Iterator<Item = usize>) -> VertexFans<'_> {
-        VertexFans::around(triangles, self.object.mesh.vertices(), |triangle| {
-            self.face(triangle).outward
-        })
+        let outward = |triangle| self.face(triangle).outward;
+        let normal = |triangle, v| {
+            let own = || newell(&self.places(triangle)).unwrap_or(DVec3::Z);
+            self.normal(triangle, v).unwrap_or_else(own)
+        };
+        VertexFans::around(triangles, self.object.mesh.vertices(), outward, normal)
     }
 
-    /// The triangle as it is shaded, where a view shows it, with its normals on the visible side.
-    pub fn triangle(
-        &self,
-        name: TriangleId,
-        fans: &VertexFans,
-        view: &View,
-    ) -> Result<Triangle, PictureError> {
+    /// The unit normal at a triangle's corner, if it has a direction.
+    fn normal(&self, triangle: usize, v: usize) -> Option<DVec3> {
+        direction_of(self.to_normals * self.object.mesh.normals[triangle][v])
+    }
+
+    /// The triangle as it is shaded, where a view shows it, which has said by its name that it does, with its normals on the visible side.
+    pub fn triangle(&self, name: TriangleId, fans: &VertexFans, view: &View) -> Triangle {
         let index = name.triangle as usize;
         let face = self.face(index);
-        let piece = view.pieces(face.places)?.nth(name.piece as usize);
+        let piece = view.pieces(face.places).nth(name.piece as usize);
         let towards_eye = view.towards_eye(face.places[0]);
         let outward = face.outward.unwrap_or_else(|| face.normals.iter().sum());
         let turn = if outward.dot(towards_eye) < 0.0 { -1.0 } else { 1.0 };
         let cones = fans.cones(index, &face);
-        Ok(Triangle {
+        Triangle {
             normals: face.normals.map(|n| n * turn),
             facet: self.facet(index, &face, towards_eye),
             positions: face.places,
@@ -104,7 +105,7 @@ impl<'a> ViewedObject<'a> {
             perspective: piece.and_then(|piece| piece.perspective),
             cones: cones.map(|cone| VertexCone { axis: cone.axis * turn, ..cone }),
             material: self.first_material + self.object.material_index(index),
-        })
+        }
     }
 
     /// The polygon of a triangle, with its normal on the side from which the triangle is seen.
@@ -140,7 +141,8 @@ pub(super) fn corners<'s>(seen: &'s [ViewedObject<'_>]) -> impl Iterator<Item = 
 
 /// The smallest and largest coordinates of all corners, if there are any.
 pub(super) fn bounds(seen: &[ViewedObject<'_>]) -> Option<[DVec3; 2]> {
-    corners(seen).map(|p| [p, p]).reduce(|[low, high], [p, _]| [low.min(p), high.max(p)])
+    let of_each = seen.iter().filter_map(|seen| seen.object.mesh.bounds(&seen.positions));
+    of_each.reduce(|[a_low, a_high], [b_low, b_high]| [a_low.min(b_low), a_high.max(b_high)])
 }
 
 /// The middle of the triangle that is largest in the picture.

@@ -167,6 +167,22 @@ impl Sequence {
         rayon::current_num_threads().min(few)
     }
 
+    /// Everything that decides what its frames are, as text: where two are alike, so are all frames.
+    /// Meshes are in it as hashes.
+    ///
+    /// # Errors
+    /// [`SceneError`] if a frame's file cannot be read any more.
+    pub fn fingerprint(&self) -> Result<String, SceneError> {
+        let source = match &self.source {
+            FrameSource::Moving(scene) => format!("{scene:?}"),
+            FrameSource::Files(files) => {
+                let scene = |index| Ok(format!("{:?}", files.scene(index)?));
+                (0..files.frames()).map(scene).collect::<Result<_, SceneError>>()?
+            }
+        };
+        Ok(format!("{source}{:?}", self.framing))
+    }
+
     /// What has been found out about it.
     pub fn findings(&self) -> &Findings {
         &self.findings
