@@ -38,7 +38,8 @@ Writes DIR/NAME.v, simulated.png, expected.png, exact.png, error.png, trace.vcd 
 trace.gtkw, worst.svg (the worst pixel's path through the core), spec.toml (the core's definition, \
 for `--core` and `generate --spec`), report.md, report.json and report.html (one file with everything \
 in it). DIR is replaced as a whole once everything is written; files in it that Specula did not write \
-stay.
+stay. Of a scene that moves, frames that are done wait in DIR.partial: a run that was interrupted goes \
+on from there when it is started again.
 
 With `--top axis` the frame's packets go through the core's stream top, and every pixel that comes out of it is compared, with its marks and its position; `--stalls` pauses both streams at random. The fast engine and rust-hdl run the core behind a model of the stream top; Icarus and Verilator run the whole block's Verilog besides.
 

@@ -6,7 +6,7 @@ pub use super::error::PictureError;
 use super::limits;
 use super::normal_cones::VertexFans;
 use super::scene::{Object, Scene};
-use super::view::{Piece, View};
+use super::view::{Piece, Sighted, View};
 use super::view_transform::ViewTransform;
 use super::viewed::{TriangleId, ViewedObject, bounds, corners, middle_of_largest, viewed};
 use super::visibility::{Projected, visible_spans};
@@ -30,7 +30,7 @@ impl Scene {
         }
         let rotation = self.camera.rotation().ok_or(PictureError::Up)?;
         let seen = viewed(&self.objects, rotation);
-        let (view, (kept, spans)) = self.visible(&seen, self.view(rotation, &seen)?)?;
+        let (view, (kept, mut spans)) = self.visible(&seen, self.view(rotation, &seen)?)?;
         let fans = |object: usize| {
             let own = kept.iter().filter(|name| name.object as usize == object);
             seen[object].fans(own.map(|name| name.triangle as usize))
@@ -41,7 +41,7 @@ impl Scene {
             seen[object].triangle(name, &fans[object], &view)
         };
         let triangles: Vec<Triangle> = kept.par_iter().map(triangle).collect();
-        let spans = spans.into_iter().map(|span| with_weights_of(&triangles, span)).collect();
+        spans.iter_mut().for_each(|span| take_weights_of(&triangles, span));
         let view = ViewTransform { rotation, centre: view.middle() };
         Ok(Frame {
             width: self.size.0,
@@ -134,32 +134,37 @@ fn project(
     view: &View,
 ) -> Result<(Vec<TriangleId>, Vec<Projected>), PictureError> {
     let (mut names, mut projected) = (Vec::new(), Vec::new());
+    let mut add = |name: TriangleId, points, nearness| {
+        if let Some(coverage) = view.coverage(points) {
+            names.push(name);
+            projected.push(Projected { coverage, nearness });
+        }
+    };
     for (object, seen) in (0..).zip(seen) {
         let marks = seen.marks(view);
         // Scenes have far fewer than 2^32 objects, triangles and pieces.
         for triangle in 0..seen.triangles() as u32 {
-            let at_corners = seen.indices(triangle as usize).map(|k| marks[k]);
-            let places = || seen.places(triangle as usize);
-            let pieces = view.pieces_at(at_corners, places).ok_or(PictureError::TooClose)?;
-            for (piece, Piece { points, nearness, .. }) in (0..).zip(pieces) {
-                if let Some(coverage) = view.coverage(points) {
-                    names.push(TriangleId { object, triangle, piece });
-                    projected.push(Projected { coverage, nearness });
+            let name = |piece| TriangleId { object, triangle, piece };
+            match view.sighted(seen.indices(triangle as usize).map(|k| marks[k])) {
+                Sighted::Nothing => {}
+                Sighted::Whole { points, nearness } => add(name(0), points, nearness),
+                Sighted::Cut => {
+                    let pieces = view.cut(seen.places(triangle as usize));
+                    for (number, Piece { points, nearness, .. }) in (0..).zip(pieces) {
+                        add(name(number), points, nearness);
+                    }
                 }
+                Sighted::TooFar => return Err(PictureError::TooClose),
             }
         }
     }
     Ok((names, projected))
 }
 
-/// A span with weights of its triangle in place of those of the piece that it is cut from.
-fn with_weights_of(triangles: &[Triangle], span: Span) -> Span {
-    match &triangles[span.triangle].perspective {
-        None => span,
-        Some(seen) => {
-            let [start, end] = [span.start, span.end].map(|weights| seen.interpolated(weights));
-            Span { start, end, ..span }
-        }
+/// Gives a span weights of its triangle in place of those of the piece that it is cut from.
+fn take_weights_of(triangles: &[Triangle], span: &mut Span) {
+    if let Some(seen) = &triangles[span.triangle].perspective {
+        (span.start, span.end) = (seen.interpolated(span.start), seen.interpolated(span.end));
     }
 }
 
@@ -168,16 +173,15 @@ type Visible = (Vec<TriangleId>, Vec<Span>);
 
 /// Keeps the triangles that spans refer to, in the order of their first use, and adapts the
 /// references.
-fn keep_visible(spans: Vec<Span>, names: &[TriangleId]) -> (Vec<TriangleId>, Vec<Span>) {
-    let mut kept: Vec<Option<usize>> = vec![None; names.len()];
+fn keep_visible(mut spans: Vec<Span>, names: &[TriangleId]) -> (Vec<TriangleId>, Vec<Span>) {
+    let mut kept: Vec<Option<u32>> = vec![None; names.len()];
     let mut triangles = Vec::new();
-    let renamed = spans.into_iter().map(|span| {
+    for span in &mut spans {
         let index = *kept[span.triangle].get_or_insert_with(|| {
             triangles.push(names[span.triangle]);
-            triangles.len() - 1
+            (triangles.len() - 1) as u32
         });
-        Span { triangle: index, ..span }
-    });
-    let spans = renamed.collect();
+        span.triangle = index as usize;
+    }
     (triangles, spans)
 }

@@ -37,11 +37,21 @@ pub(super) struct Piece {
     pub perspective: Option<Perspective>,
 }
 
-/// What is seen of a triangle: nothing, the triangle, or pieces of it.
-#[derive(Default)]
-pub(super) struct Pieces {
-    whole: Option<Piece>,
-    parts: std::vec::IntoIter<Piece>,
+/// What may be in the picture of a triangle.
+pub(super) enum Sighted {
+    /// Nothing.
+    Nothing,
+    /// All of it.
+    Whole {
+        /// Its corners.
+        points: [Point; 3],
+        /// Their nearness, linear on the screen; larger is nearer.
+        nearness: [f64; 3],
+    },
+    /// Pieces, which [`View::cut`] gives.
+    Cut,
+    /// Something of it, and a corner is too far outside for exact arithmetic.
+    TooFar,
 }
 
 /// A point of view space in the picture.
@@ -165,42 +175,50 @@ impl View {
 
     /// What may be in the picture of a triangle of view space: nothing, the triangle, or pieces; also
     /// nothing if a corner is beyond the grid.
-    pub fn pieces(&self, corners: [DVec3; 3]) -> Pieces {
+    pub fn pieces(&self, corners: [DVec3; 3]) -> Vec<Piece> {
         let mark = |point| match &self.lines {
             Lines::Parallel(window) => self.parallel_mark(window, point),
             Lines::Central(pinhole) => self.central_mark(pinhole, &pinhole.sight(self.size), point),
         };
-        self.pieces_at(corners.map(mark), || corners).unwrap_or_default()
+        match self.sighted(corners.map(mark)) {
+            Sighted::Nothing | Sighted::TooFar => vec![],
+            Sighted::Whole { points, nearness } => {
+                let perspective = match &self.lines {
+                    Lines::Parallel(_) => None,
+                    Lines::Central(pinhole) => Some(pinhole.whole(nearness)),
+                };
+                vec![Piece { points, nearness, perspective }]
+            }
+            Sighted::Cut => self.cut(corners),
+        }
     }
 
-    /// The same, where the [`View::marks`] of the corners are known; `None` if one of a triangle that
-    /// may be in the picture is too far outside it for exact arithmetic.
-    pub fn pieces_at(
-        &self,
-        marks: [Mark; 3],
-        corners: impl FnOnce() -> [DVec3; 3],
-    ) -> Option<Pieces> {
+    /// What may be in the picture of a triangle, of whose corners the [`View::marks`] are given.
+    pub fn sighted(&self, marks: [Mark; 3]) -> Sighted {
         let any = marks.iter().fold(0, |any, mark| any | mark.beyond);
         let all = marks.iter().fold(u8::MAX, |all, mark| all & mark.beyond);
         match &self.lines {
-            Lines::Parallel(_) if all != 0 => Some(Pieces::default()),
-            Lines::Parallel(_) => Pieces::whole(marks, None),
-            Lines::Central(pinhole) if any == 0 => {
-                let nearness = marks.map(|mark| mark.nearness);
-                Pieces::whole(marks, Some(pinhole.whole(nearness)))
-            }
+            Lines::Parallel(_) if all != 0 => Sighted::Nothing,
             // The first side that cuts anything off cuts off all.
-            Lines::Central(_) if all & any & any.wrapping_neg() != 0 => Some(Pieces::default()),
-            Lines::Central(pinhole) => {
-                let piece = |(places, seen): ([[f64; 2]; 3], Perspective)| {
-                    let (points, nearness) = (snapped(places)?, seen.nearness);
-                    Some(Piece { points, nearness, perspective: Some(seen) })
+            Lines::Central(_) if all & any & any.wrapping_neg() != 0 => Sighted::Nothing,
+            Lines::Central(_) if any != 0 => Sighted::Cut,
+            Lines::Parallel(_) | Lines::Central(_) => {
+                let [Some(a), Some(b), Some(c)] = marks.map(|mark| mark.point) else {
+                    return Sighted::TooFar;
                 };
-                let parts = pinhole.pieces(corners(), self.size).filter_map(piece);
-                let parts: Vec<Piece> = parts.collect();
-                Some(Pieces { whole: None, parts: parts.into_iter() })
+                Sighted::Whole { points: [a, b, c], nearness: marks.map(|mark| mark.nearness) }
             }
         }
+    }
+
+    /// The pieces of a triangle of view space that is cut off.
+    pub fn cut(&self, corners: [DVec3; 3]) -> Vec<Piece> {
+        let Lines::Central(pinhole) = &self.lines else { return vec![] };
+        let piece = |(places, seen): ([[f64; 2]; 3], Perspective)| {
+            let (points, nearness) = (snapped(places)?, seen.nearness);
+            Some(Piece { points, nearness, perspective: Some(seen) })
+        };
+        pinhole.pieces(corners, self.size).filter_map(piece).collect()
     }
 
     /// The pixels that a triangle with these corners covers; `None` if it has no area, or if none of
@@ -214,24 +232,6 @@ impl View {
 /// A number with a bit for each side.
 fn bits<const SIDES: usize>(sides: [bool; SIDES]) -> u8 {
     (0..).zip(sides).fold(0, |bits, (side, is_set)| bits | u8::from(is_set) << side)
-}
-
-impl Pieces {
-    /// A triangle that is seen as a whole; `None` if a corner is beyond the grid.
-    fn whole(marks: [Mark; 3], perspective: Option<Perspective>) -> Option<Pieces> {
-        let [a, b, c] = marks.map(|mark| mark.point);
-        let (points, nearness) = ([a?, b?, c?], marks.map(|mark| mark.nearness));
-        let whole = Some(Piece { points, nearness, perspective });
-        Some(Pieces { whole, parts: Vec::new().into_iter() })
-    }
-}
-
-impl Iterator for Pieces {
-    type Item = Piece;
-
-    fn next(&mut self) -> Option<Piece> {
-        self.whole.take().or_else(|| self.parts.next())
-    }
 }
 
 /// The grid points nearest to places in pixels; `None` if one is beyond the grid.

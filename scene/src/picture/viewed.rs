@@ -92,7 +92,7 @@ impl<'a> ViewedObject<'a> {
     pub fn triangle(&self, name: TriangleId, fans: &VertexFans, view: &View) -> Triangle {
         let index = name.triangle as usize;
         let face = self.face(index);
-        let piece = view.pieces(face.places).nth(name.piece as usize);
+        let piece = view.pieces(face.places).into_iter().nth(name.piece as usize);
         let towards_eye = view.towards_eye(face.places[0]);
         let outward = face.outward.unwrap_or_else(|| face.normals.iter().sum());
         let turn = if outward.dot(towards_eye) < 0.0 { -1.0 } else { 1.0 };
