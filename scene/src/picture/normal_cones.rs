@@ -16,7 +16,10 @@ pub(super) struct Face {
     pub places: [DVec3; 3],
     /// Unit normals at the corners.
     pub normals: [DVec3; 3],
-    /// Its own normal, on the side to which these point; `None` for a triangle without area.
+    /// Its own unit normal, on the side from which its corners go counter-clockwise; `None` for a
+    /// triangle without area.
+    pub own: Option<DVec3>,
+    /// The same on the side to which the normals at the corners point.
     pub outward: Option<DVec3>,
 }
 

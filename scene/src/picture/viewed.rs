@@ -65,12 +65,11 @@ impl<'a> ViewedObject<'a> {
     /// A triangle of the object, turned to the side to which its vertex normals point.
     pub fn face(&self, triangle: usize) -> Face {
         let places = self.places(triangle);
-        let face = newell(&places);
-        let fallback = face.unwrap_or(DVec3::Z);
+        let own = newell(&places);
+        let fallback = own.unwrap_or(DVec3::Z);
         let normals = std::array::from_fn(|v| self.normal(triangle, v).unwrap_or(fallback));
-        let outward =
-            face.map(|face| if face.dot(normals.iter().sum()) < 0.0 { -face } else { face });
-        Face { places, normals, outward }
+        let turned = |own: DVec3| if own.dot(normals.iter().sum()) < 0.0 { -own } else { own };
+        Face { places, normals, own, outward: own.map(turned) }
     }
 
     /// The faces around the vertices of these triangles.
@@ -115,7 +114,7 @@ impl<'a> ViewedObject<'a> {
     fn facet(&self, triangle: usize, face: &Face, towards_eye: DVec3) -> Facet {
         let facet = self.object.mesh.facets[triangle];
         let side = if self.place.matrix3.determinant() < 0.0 { -1.0 } else { 1.0 };
-        let of_triangle = newell(&face.places).map(|normal| normal * side);
+        let of_triangle = face.own.map(|normal| normal * side);
         let normal =
             direction_of(self.to_normals * facet.normal).or(of_triangle).unwrap_or(DVec3::Z);
         let turn = if of_triangle.unwrap_or(normal).dot(towards_eye) < 0.0 { -1.0 } else { 1.0 };
