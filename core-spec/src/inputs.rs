@@ -3,16 +3,15 @@
 use std::marker::PhantomData;
 
 use smallvec::SmallVec;
-use specula_scene::limits::MOST_LIGHTS;
 
 use crate::core_input::{CoreInput, InputRole};
 use crate::input_meaning::InputMeaning;
 use crate::parameters::CoreParameters;
 use crate::quadratic::Quadratic;
 
-/// One for each light of a core, which has [`MOST_LIGHTS`] at most: no memory is allocated for
-/// them.
-pub type Many<T> = SmallVec<[T; MOST_LIGHTS]>;
+/// One for each light of a core. Memory is allocated for more than two: room for all of
+/// [`specula_scene::limits::MOST_LIGHTS`] in each would be copied with every span.
+pub type Many<T> = SmallVec<[T; 2]>;
 
 /// Inputs that go together: a struct that `inputs!` defines.
 pub trait InputGroup {

@@ -61,7 +61,7 @@ impl CoreSpec {
 
     /// Whether a host gives both cores the same raw values in every frame: set-up rests on ports
     /// and options, and not on formats of values within the core.
-    fn is_given_what(&self, other: &CoreSpec) -> bool {
+    pub(crate) fn is_given_what(&self, other: &CoreSpec) -> bool {
         self.inputs() == other.inputs()
             && self.method.with_formats_of(&other.method).as_ref() == Some(&other.method)
     }

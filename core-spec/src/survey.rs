@@ -15,26 +15,50 @@ pub struct Survey {
     pub witnesses: Vec<Frame>,
 }
 
+/// A survey that has been made, among the findings of its sequence.
+struct Made {
+    /// The general core that it was made for.
+    general: CoreSpec,
+    survey: Survey,
+}
+
 impl CoreSpec {
-    /// Sets up every span of a sequence for this core, frames side by side.
+    /// Sets up every span of a sequence for this core, frames side by side. What has been found out
+    /// for one core is remembered for all that are given the same.
     ///
     /// # Errors
     /// [`SceneError::Picture`] if a frame cannot be drawn.
     pub fn survey(&self, sequence: &Sequence) -> Result<Survey, SceneError> {
         let general = self.general();
-        let ports = general.inputs();
+        let is_given_the_same = |made: &Made| {
+            made.general.specialisation == general.specialisation
+                && general.is_given_what(&made.general)
+        };
+        if let Some(made) = sequence.findings().find(is_given_the_same) {
+            let Survey { core, witnesses } = made.survey.clone();
+            let core = CoreSpec { specialisation: core.specialisation, ..general };
+            return Ok(Survey { core, witnesses });
+        }
+        let survey = general.surveyed(sequence)?;
+        sequence.findings().add(Made { general, survey: survey.clone() });
+        Ok(survey)
+    }
+
+    /// Makes the survey of this general core.
+    fn surveyed(&self, sequence: &Sequence) -> Result<Survey, SceneError> {
+        let ports = self.inputs();
         // Each frame is looked at by itself, so that the result does not depend on which is ready
         // first; what it has left is small enough to go through one after the other.
         let of_its_own = sequence.map(|_, frame| {
             let mut values = GivenValues::none(&ports);
-            Ok::<_, SceneError>(reduced(&mut values, &general, &frame))
+            Ok::<_, SceneError>(reduced(&mut values, self, &frame))
         })?;
         let mut values = GivenValues::none(&ports);
-        let witnesses = of_its_own.iter().map(|frame| reduced(&mut values, &general, frame));
+        let witnesses = of_its_own.iter().map(|frame| reduced(&mut values, self, frame));
         let witnesses = witnesses.filter(|frame| !frame.spans.is_empty());
         let witnesses: Vec<Frame> = witnesses.collect();
-        values.add_examples(&general, witnesses.first());
-        Ok(Survey { core: general.given(&ports, &values), witnesses })
+        values.add_examples(self, witnesses.first());
+        Ok(Survey { core: self.clone().given(&ports, &values), witnesses })
     }
 }
 

@@ -25,7 +25,7 @@ use crate::job::Job;
 use crate::output::{Destination, Interrupts, REPORT, Staging};
 use crate::report::{self, Report};
 use crate::run::{DEFAULT_ENGINE, Run, simulate};
-use crate::sequence::{self, ShadedSequence, Simulation};
+use crate::sequence::{self, Partial, ShadedSequence, Simulation};
 use crate::stream_top::{StreamOutcome, StreamedFrame, Top};
 use crate::target_arguments::CLOCK_HELP;
 use crate::trace_file::TraceFormat;
@@ -38,7 +38,8 @@ Writes DIR/NAME.v, simulated.png, expected.png, exact.png, error.png, trace.vcd 
 trace.gtkw, worst.svg (the worst pixel's path through the core), spec.toml (the core's definition, \
 for `--core` and `generate --spec`), report.md, report.json and report.html (one file with everything \
 in it). DIR is replaced as a whole once everything is written; files in it that Specula did not write \
-stay.
+stay. Of a scene that moves, frames that are done wait in DIR.partial: a run that was interrupted goes \
+on from there when it is started again.
 
 With `--top axis` the frame's packets go through the core's stream top, and every pixel that comes out of it is compared, with its marks and its position; `--stalls` pauses both streams at random. The fast engine and rust-hdl run the core behind a model of the stream top; Icarus and Verilator run the whole block's Verilog besides.
 
@@ -101,7 +102,8 @@ pub fn execute(
     let design = specula_hdl::elaborate(job.spec(), &job.module()).map_err(BenchError::from)?;
     let fitted = arguments.wanted.made_for.fitted(job.spec(), &design)?;
     let staging = destination.stage()?;
-    let sequence = arguments.shaded_sequence(&job, &design, &staging)?;
+    let shaded = arguments.shaded_sequence(&job, &design, (&destination, &staging))?;
+    let (sequence, partial) = shaded.unzip();
     let job = match &sequence {
         Some(sequence) => job.in_frame(sequence.shown)?,
         None => job,
@@ -116,6 +118,7 @@ pub fn execute(
 
     let run = Run { sequence, ..run_of(arguments, &job, &bench, fitted, (&outcome, stream))? };
     let text = write(arguments, begin, (&destination, staging), &run)?;
+    partial.into_iter().for_each(Partial::remove);
     write!(stdout, "{text}").and_then(|()| stdout.flush()).map_err(ToolError::Print)?;
     Ok(verdict(run.disagreement.as_ref()))
 }
@@ -134,12 +137,12 @@ impl Arguments {
         &self,
         job: &Job,
         design: &Design,
-        staging: &Staging,
-    ) -> Result<Option<ShadedSequence>, ToolError> {
+        output: (&Destination, &Staging),
+    ) -> Result<Option<(ShadedSequence, Partial)>, ToolError> {
         let Some(sequence) = &job.scene.sequence else { return Ok(None) };
         let bubbles = self.stalls.filter(|_| self.top == Top::Core);
         let simulation = Simulation { engine: self.engine, bubbles };
-        sequence::shade((job, sequence), design, simulation, staging).map(Some)
+        sequence::shade((job, sequence), design, simulation, output).map(Some)
     }
 
     /// The bench with the clocks in which pixels go in, and the frame in the stream top that tells

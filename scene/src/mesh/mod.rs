@@ -10,9 +10,11 @@ mod number;
 mod obj;
 mod ply;
 pub mod polygons;
+mod shared;
 mod stl;
 mod text;
 mod triangulate;
+mod vertices;
 mod warning;
 mod weld;
 
@@ -23,6 +25,8 @@ pub use error::{MeshError, MeshProblem};
 pub use indexed::Mesh;
 pub use limits::{EXTENSIONS, FARTHEST, LONGEST_FILE, MAX_TRIANGLES, extension};
 pub use model::{Model, Movement};
+pub use shared::SharedMesh;
+pub(crate) use vertices::Vertices;
 use warning::Notices;
 pub use warning::Warning;
 

@@ -53,6 +53,12 @@ pub fn direction(sum: DVec3) -> Option<DVec3> {
     (length > SHORTEST_SUM).then(|| sum / length)
 }
 
+/// A unit vector along a vector of any length except 0.
+pub fn direction_of(normal: DVec3) -> Option<DVec3> {
+    let largest = normal.abs().max_element();
+    if largest > 0.0 { direction(normal / largest) } else { None }
+}
+
 /// The matrix that transforms normals where `linear` transforms the surface: its inverse
 /// transposed, up to a positive factor.
 ///

@@ -20,6 +20,11 @@ pub(super) struct HalfSpace {
 }
 
 impl HalfSpace {
+    /// Whether a place is in it.
+    pub fn contains(&self, place: DVec3) -> bool {
+        self.depth(place) >= 0.0
+    }
+
     /// How far inside a place is, in units of the normal's length; below 0 outside.
     fn depth(&self, place: DVec3) -> f64 {
         self.normal.dot(place) - self.offset
@@ -35,7 +40,7 @@ pub(super) fn of_triangle(places: [DVec3; 3]) -> Vec<Corner> {
 /// What is left of a convex polygon inside of a half-space: its corners in the same order, none if it
 /// is outside. A polygon that is inside stays as it is.
 pub(super) fn cut(polygon: Vec<Corner>, within: &HalfSpace) -> Vec<Corner> {
-    let is_inside = |corner: &Corner| within.depth(corner.place) >= 0.0;
+    let is_inside = |corner: &Corner| within.contains(corner.place);
     if polygon.iter().all(is_inside) {
         return polygon;
     }

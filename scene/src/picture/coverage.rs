@@ -15,6 +15,9 @@ pub const STEPS: i64 = 256;
 /// Differences then have 30 bits and edge functions 61, so `i64` holds them.
 pub const FARTHEST_STEP: i64 = 1 << 29;
 
+/// Columns of a triangle up to which each is asked whether it is covered.
+const FEW: usize = 6;
+
 /// A point on the grid: x to the right, y down, in 1/256 pixel from the picture's top left corner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Point {
@@ -72,6 +75,16 @@ impl Coverage {
         }
     }
 
+    /// Whether the rectangle around a triangle's corners holds the centre of a pixel of a picture: if
+    /// not, the triangle covers none.
+    pub fn may_cover(corners: &[Point; 3], width: u32, height: u32) -> bool {
+        let holds = |along: fn(&Point) -> i64, pixels: u32| {
+            let [a, b, c] = corners.each_ref().map(along);
+            !centres_between(a.min(b).min(c), a.max(b).max(c), pixels).is_empty()
+        };
+        holds(|point| point.y, height) && holds(|point| point.x, width)
+    }
+
     /// The edge opposite to each corner.
     fn edges(&self) -> [(Point, Point); 3] {
         let [a, b, c] = self.corners;
@@ -80,24 +93,42 @@ impl Coverage {
 
     /// The rows of a picture of `height` rows that may hold covered pixels.
     pub fn rows(&self, height: u32) -> Range<u32> {
-        let ys = self.corners.map(|p| p.y);
-        // These are the first and last row whose centre is not above or below all corners.
-        let first = (ys[0].min(ys[1]).min(ys[2]) - STEPS / 2).div_euclid(STEPS);
-        let last = (ys[0].max(ys[1]).max(ys[2]) - STEPS / 2).div_euclid(STEPS);
-        let within = |row: i64| row.clamp(0, i64::from(height)) as u32;
-        within(first)..within(last + 1)
+        let [a, b, c] = self.corners.map(|p| p.y);
+        centres_between(a.min(b).min(c), a.max(b).max(c), height)
     }
 
     /// The columns covered in `row` of a picture of `width` columns: one run, which may be empty.
     pub fn columns(&self, row: u32, width: u32) -> Range<u32> {
+        let [a, b, c] = self.corners.map(|p| p.x);
+        let around = centres_between(a.min(b).min(c), a.max(b).max(c), width);
+        if around.len() <= FEW {
+            self.few_columns(row, around)
+        } else {
+            self.many_columns(row, width)
+        }
+    }
+
+    /// The same, each edge asked about each column.
+    fn few_columns(&self, row: u32, around: Range<u32>) -> Range<u32> {
+        let start = Point::centre(around.start, row);
+        let edges = self.edges().map(|(a, b)| (edge(a, b, start), a.y - b.y, least(a, b)));
+        let is_covered = |column: &u32| {
+            let across = i64::from(column - around.start) * STEPS;
+            edges.iter().all(|(at_start, per_step, least)| at_start + across * per_step >= *least)
+        };
+        let Some(first) = around.clone().find(is_covered) else { return 0..0 };
+        // What a triangle covers of a row is one run.
+        let end = (first + 1..around.end).find(|column| !is_covered(column));
+        first..end.unwrap_or(around.end)
+    }
+
+    /// The same, each edge asked where it is crossed.
+    fn many_columns(&self, row: u32, width: u32) -> Range<u32> {
         let start = Point::centre(0, row);
         let (mut first, mut end) = (0, i64::from(width));
         for (a, b) in self.edges() {
-            let (dx, dy) = (b.x - a.x, b.y - a.y);
-            // A left edge goes up, a top edge to the right; they own the centres on them.
-            let owned = dy < 0 || (dy == 0 && dx > 0);
-            let least = i64::from(!owned);
-            let (at_start, per_pixel) = (edge(a, b, start), -dy * STEPS);
+            let least = least(a, b);
+            let (at_start, per_pixel) = (edge(a, b, start), (a.y - b.y) * STEPS);
             // The condition is at_start + k * per_pixel >= least.
             match per_pixel.signum() {
                 1 => first = first.max(ceiling(least - at_start, per_pixel)),
@@ -123,6 +154,21 @@ impl Coverage {
         let [a, b, c] = self.edges().map(|(from, to)| edge(from, to, p) as f64 / self.area as f64);
         if self.swapped { [a, c, b] } else { [a, b, c] }
     }
+}
+
+/// The least value of an edge's function that the edge owns: a left edge goes up, a top edge to the
+/// right; they own the centres on them.
+fn least(a: Point, b: Point) -> i64 {
+    let (dx, dy) = (b.x - a.x, b.y - a.y);
+    i64::from(!(dy < 0 || (dy == 0 && dx > 0)))
+}
+
+/// The pixels of a picture, of so many in a row or column, whose centres are not beyond either end.
+fn centres_between(low: i64, high: i64, pixels: u32) -> Range<u32> {
+    let first = ceiling(low - STEPS / 2, STEPS);
+    let last = (high - STEPS / 2).div_euclid(STEPS);
+    let within = |pixel: i64| pixel.clamp(0, i64::from(pixels)) as u32;
+    within(first)..within(last + 1).max(within(first))
 }
 
 /// n / d rounded up, for d above 0.

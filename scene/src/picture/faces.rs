@@ -1,10 +1,8 @@
 //! Faces of whole meshes.
-use std::sync::Arc;
-
 use glam::{DAffine3, DMat3, DVec3};
 
-use super::project::{TriangleId, ViewedObject};
 use super::scene::Object;
+use super::viewed::ViewedObject;
 use crate::mesh::Mesh;
 use crate::{PartialMaterial, VertexCone};
 
@@ -24,24 +22,22 @@ pub struct ConedFace {
 /// The triangles of a whole mesh that have an area, with the cones of their vertices.
 pub fn coned_faces(mesh: &Mesh) -> Vec<ConedFace> {
     let object = Object {
-        mesh: Arc::new(mesh.clone()),
+        mesh: mesh.clone().into(),
         primitive: None,
         place: DAffine3::IDENTITY,
         material: PartialMaterial::default(),
     };
     let seen = ViewedObject::new(&object, 0, DMat3::IDENTITY);
-    let all: Vec<TriangleId> = (0..mesh.triangles.len())
-        .map(|triangle| TriangleId { object: 0, triangle, piece: 0 })
-        .collect();
-    let fans = seen.fans(0, &all);
-    let coned = |name: &TriangleId| {
-        let face = seen.face(name.triangle);
+    let all = 0..mesh.triangles.len();
+    let fans = seen.fans(all.clone());
+    let coned = |triangle: usize| {
+        let face = seen.face(triangle);
         Some(ConedFace {
             corners: face.places,
             outward: face.outward?,
             normals: face.normals,
-            cones: fans.cones(&face),
+            cones: fans.cones(triangle, &face),
         })
     };
-    all.iter().filter_map(coned).collect()
+    all.filter_map(coned).collect()
 }

@@ -11,6 +11,8 @@ pub mod project;
 mod rows;
 mod scene;
 mod view;
+mod view_transform;
+mod viewed;
 mod visibility;
 
 pub use faces::{ConedFace, coned_faces};

@@ -2,7 +2,7 @@
 use glam::{DMat3, DVec3};
 
 use super::camera::{Camera, FILLED, Lens, nearest_centre};
-use super::clip::{Corner, HalfSpace, cut, of_triangle};
+use super::clip::{HalfSpace, cut, of_triangle};
 use crate::angle::cos_sin;
 use crate::perspective::{Interpolation, Perspective};
 
@@ -86,25 +86,38 @@ impl Pinhole {
     ) -> impl Iterator<Item = ([[f64; 2]; 3], Perspective)> + use<> {
         let whole = of_triangle(corners.map(|corner| corner - self.eye));
         let polygon = self.sight(size).iter().fold(whole, cut);
-        let (this, [right, bottom]) = (*self, [size.0, size.1].map(|n| f64::from(n) + MARGIN));
-        // Where a corner is cut off, it may be beyond by a rounding.
-        let place = move |corner: &Corner| {
-            let [x, y] = this.place(corner.place);
-            [x.clamp(-MARGIN, right), y.clamp(-MARGIN, bottom)]
-        };
+        let this = *self;
         (1..polygon.len().saturating_sub(1)).map(move |k| {
             let piece = [polygon[0], polygon[k], polygon[k + 1]];
             let seen = Perspective {
                 corners: piece.map(|corner| corner.weights.to_array()),
-                nearness: piece.map(|corner| this.distance(corner.place).recip()),
+                nearness: piece.map(|corner| this.nearness(corner.place)),
                 interpolation: this.interpolation,
             };
-            (piece.map(|corner| place(&corner)), seen)
+            (piece.map(|corner| this.place_in(corner.place, size)), seen)
         })
     }
 
+    /// What is seen of a triangle within the [`Pinhole::sight`] whose corners are so near.
+    pub fn whole(&self, nearness: [f64; 3]) -> Perspective {
+        Perspective { corners: Perspective::WHOLE, nearness, interpolation: self.interpolation }
+    }
+
+    /// The reciprocal distance of a place, given from the eye.
+    pub fn nearness(&self, place: DVec3) -> f64 {
+        self.distance(place).recip()
+    }
+
+    /// The place in a picture of `size`, in pixels, of a point within the [`Pinhole::sight`], which
+    /// is given from the eye. Where an edge is cut off, it may be beyond by a rounding.
+    pub fn place_in(&self, point: DVec3, size: (u32, u32)) -> [f64; 2] {
+        let [x, y] = self.place(point);
+        let [right, bottom] = [size.0, size.1].map(|n| f64::from(n) + MARGIN);
+        [x.clamp(-MARGIN, right), y.clamp(-MARGIN, bottom)]
+    }
+
     /// What the picture shows of the space around the eye, with a margin.
-    fn sight(&self, size: (u32, u32)) -> [HalfSpace; 5] {
+    pub(super) fn sight(&self, size: (u32, u32)) -> [HalfSpace; 5] {
         // A plane through the eye and a side of the picture, so many pixels away from its middle.
         let side = |across: DVec3, pixels: f64| HalfSpace {
             normal: across - DVec3::Z * (pixels + MARGIN) * self.pixel,

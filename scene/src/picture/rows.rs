@@ -2,7 +2,8 @@
 use glam::DVec3;
 
 use super::Light;
-use super::project::{PictureError, ViewTransform};
+use super::project::PictureError;
+use super::view_transform::ViewTransform;
 use crate::{Colour, Frame, Material, Span, Triangle};
 
 /// A span and its triangle, with a material of its own.

@@ -1,10 +1,8 @@
 //! Objects in the world, and what lights them.
-use std::sync::Arc;
-
 use glam::{DAffine3, DVec3};
 
 use super::camera::Camera;
-use crate::mesh::Mesh;
+use crate::mesh::SharedMesh;
 use crate::primitive::Primitive;
 use crate::{Attenuation, Colour, Material, PartialMaterial};
 
@@ -12,7 +10,7 @@ use crate::{Attenuation, Colour, Material, PartialMaterial};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Object {
     /// Its shape, in its own coordinates; frames of a sequence share it.
-    pub mesh: Arc<Mesh>,
+    pub mesh: SharedMesh,
     /// The primitive that the mesh was made from, if any.
     pub primitive: Option<Primitive>,
     /// The transformation from its own coordinates to the world's.

@@ -1,8 +1,10 @@
 //! How view space becomes a picture.
 use glam::{DMat3, DVec3};
+use rayon::prelude::*;
 
 use super::camera::{Camera, Window};
-use super::coverage::Point;
+use super::clip::HalfSpace;
+use super::coverage::{Coverage, Point};
 use super::error::PictureError;
 use super::pinhole::Pinhole;
 use crate::frame::EYE;
@@ -33,6 +35,34 @@ pub(super) struct Piece {
     pub nearness: [f64; 3],
     /// What it is of the triangle, in perspective.
     pub perspective: Option<Perspective>,
+}
+
+/// What may be in the picture of a triangle.
+pub(super) enum Sighted {
+    /// Nothing.
+    Nothing,
+    /// All of it.
+    Whole {
+        /// Its corners.
+        points: [Point; 3],
+        /// Their nearness, linear on the screen; larger is nearer.
+        nearness: [f64; 3],
+    },
+    /// Pieces, which [`View::cut`] gives.
+    Cut,
+    /// Something of it, and a corner is too far outside for exact arithmetic.
+    TooFar,
+}
+
+/// A point of view space in the picture.
+#[derive(Clone, Copy)]
+pub(super) struct Mark {
+    /// The nearest grid point; `None` beyond the grid.
+    point: Option<Point>,
+    /// Linear on the screen; larger is nearer.
+    nearness: f64,
+    /// A bit for each side of the picture that it is beyond, or that hides it from the eye.
+    beyond: u8,
 }
 
 impl View {
@@ -111,39 +141,97 @@ impl View {
         }
     }
 
-    /// What may be in the picture of a triangle of view space: nothing, the triangle, or pieces.
-    ///
-    /// # Errors
-    /// [`PictureError::TooClose`] if a corner is too far outside the picture for exact arithmetic.
-    pub fn pieces(&self, corners: [DVec3; 3]) -> Result<Vec<Piece>, PictureError> {
+    /// Where points of view space are in the picture.
+    pub fn marks(&self, points: &[DVec3]) -> Vec<Mark> {
         match &self.lines {
             Lines::Parallel(window) => {
-                let places = corners.map(|corner| window.place(corner, self.size));
-                if self.is_outside(places) {
-                    return Ok(Vec::new());
-                }
-                let points = snapped(places).ok_or(PictureError::TooClose)?;
-                let nearness = corners.map(|corner| corner.z);
-                Ok(vec![Piece { points, nearness, perspective: None }])
+                let mark = |&point: &DVec3| self.parallel_mark(window, point);
+                points.par_iter().map(mark).collect()
             }
             Lines::Central(pinhole) => {
-                let piece = |(places, seen): ([[f64; 2]; 3], Perspective)| {
-                    let (points, nearness) = (snapped(places)?, seen.nearness);
-                    Some(Piece { points, nearness, perspective: Some(seen) })
-                };
-                Ok(pinhole.pieces(corners, self.size).filter_map(piece).collect())
+                let sight = pinhole.sight(self.size);
+                let mark = |&point: &DVec3| self.central_mark(pinhole, &sight, point);
+                points.par_iter().map(mark).collect()
             }
         }
     }
 
-    /// Whether all corners are beyond the same side of the picture.
-    fn is_outside(&self, places: [[f64; 2]; 3]) -> bool {
-        let beyond = |axis: usize, size: u32| {
-            let size = f64::from(size);
-            places.iter().all(|p| p[axis] < 0.0) || places.iter().all(|p| p[axis] > size)
-        };
-        beyond(0, self.size.0) || beyond(1, self.size.1)
+    fn parallel_mark(&self, window: &Window, point: DVec3) -> Mark {
+        let [x, y] = window.place(point, self.size);
+        let [width, height] = [self.size.0, self.size.1].map(f64::from);
+        let beyond = [x < 0.0, x > width, y < 0.0, y > height];
+        Mark { point: Point::snap(x, y), nearness: point.z, beyond: bits(beyond) }
     }
+
+    fn central_mark(&self, pinhole: &Pinhole, sight: &[HalfSpace; 5], point: DVec3) -> Mark {
+        let seen = point - pinhole.eye;
+        let [x, y] = pinhole.place_in(seen, self.size);
+        Mark {
+            point: Point::snap(x, y),
+            nearness: pinhole.nearness(seen),
+            beyond: bits(sight.each_ref().map(|side| !side.contains(seen))),
+        }
+    }
+
+    /// What may be in the picture of a triangle of view space: nothing, the triangle, or pieces; also
+    /// nothing if a corner is beyond the grid.
+    pub fn pieces(&self, corners: [DVec3; 3]) -> Vec<Piece> {
+        let mark = |point| match &self.lines {
+            Lines::Parallel(window) => self.parallel_mark(window, point),
+            Lines::Central(pinhole) => self.central_mark(pinhole, &pinhole.sight(self.size), point),
+        };
+        match self.sighted(corners.map(mark)) {
+            Sighted::Nothing | Sighted::TooFar => vec![],
+            Sighted::Whole { points, nearness } => {
+                let perspective = match &self.lines {
+                    Lines::Parallel(_) => None,
+                    Lines::Central(pinhole) => Some(pinhole.whole(nearness)),
+                };
+                vec![Piece { points, nearness, perspective }]
+            }
+            Sighted::Cut => self.cut(corners),
+        }
+    }
+
+    /// What may be in the picture of a triangle, of whose corners the [`View::marks`] are given.
+    pub fn sighted(&self, marks: [Mark; 3]) -> Sighted {
+        let any = marks.iter().fold(0, |any, mark| any | mark.beyond);
+        let all = marks.iter().fold(u8::MAX, |all, mark| all & mark.beyond);
+        match &self.lines {
+            Lines::Parallel(_) if all != 0 => Sighted::Nothing,
+            // The first side that cuts anything off cuts off all.
+            Lines::Central(_) if all & any & any.wrapping_neg() != 0 => Sighted::Nothing,
+            Lines::Central(_) if any != 0 => Sighted::Cut,
+            Lines::Parallel(_) | Lines::Central(_) => {
+                let [Some(a), Some(b), Some(c)] = marks.map(|mark| mark.point) else {
+                    return Sighted::TooFar;
+                };
+                Sighted::Whole { points: [a, b, c], nearness: marks.map(|mark| mark.nearness) }
+            }
+        }
+    }
+
+    /// The pieces of a triangle of view space that is cut off.
+    pub fn cut(&self, corners: [DVec3; 3]) -> Vec<Piece> {
+        let Lines::Central(pinhole) = &self.lines else { return vec![] };
+        let piece = |(places, seen): ([[f64; 2]; 3], Perspective)| {
+            let (points, nearness) = (snapped(places)?, seen.nearness);
+            Some(Piece { points, nearness, perspective: Some(seen) })
+        };
+        pinhole.pieces(corners, self.size).filter_map(piece).collect()
+    }
+
+    /// The pixels that a triangle with these corners covers; `None` if it has no area, or if none of
+    /// the picture's pixels has its centre in the rectangle around it.
+    pub fn coverage(&self, points: [Point; 3]) -> Option<Coverage> {
+        let is_seen = Coverage::may_cover(&points, self.size.0, self.size.1);
+        is_seen.then(|| Coverage::new(points)).flatten()
+    }
+}
+
+/// A number with a bit for each side.
+fn bits<const SIDES: usize>(sides: [bool; SIDES]) -> u8 {
+    (0..).zip(sides).fold(0, |bits, (side, is_set)| bits | u8::from(is_set) << side)
 }
 
 /// The grid points nearest to places in pixels; `None` if one is beyond the grid.
@@ -158,7 +246,6 @@ mod tests {
 
     use super::*;
     use crate::picture::camera::Lens;
-    use crate::picture::coverage::Coverage;
 
     const SIZE: (u32, u32) = (24, 18);
 
@@ -176,7 +263,7 @@ mod tests {
     /// How often each pixel is covered by triangles.
     fn counts(view: &View, triangles: &[[DVec3; 3]]) -> Vec<u32> {
         let mut counts = vec![0; (SIZE.0 * SIZE.1) as usize];
-        let pieces = |&corners: &[DVec3; 3]| view.pieces(corners).unwrap_or_default();
+        let pieces = |&corners: &[DVec3; 3]| view.pieces(corners);
         let pieces = triangles.iter().flat_map(pieces);
         for coverage in pieces.filter_map(|piece| Coverage::new(piece.points)) {
             for (y, columns) in coverage.runs(SIZE.0, SIZE.1) {

@@ -20,31 +20,52 @@ pub(super) struct Projected {
 /// are processed one at a time with the triangles that reach them, so that memory does not grow
 /// with the picture.
 pub(super) fn visible_spans(triangles: &[Projected], width: u32, height: u32) -> Vec<Span> {
-    let by_row = triangles_by_first_row(triangles, height);
+    let by_row = ByFirstRow::new(triangles, height);
     let mut row = PixelRow::new(width);
     let mut active: Vec<usize> = Vec::new();
     let mut spans = Vec::new();
-    for (y, starting) in (0..height).zip(&by_row) {
-        active.retain(|&t| triangles[t].coverage.rows(height).end > y);
-        active.extend(starting);
-        for &t in &active {
+    for y in 0..height {
+        active.extend(by_row.starting_in(y));
+        active.retain(|&t| {
             row.draw(t, &triangles[t], y);
-        }
+            triangles[t].coverage.rows(height).end > y + 1
+        });
         row.finish(y, triangles, &mut spans);
     }
     spans
 }
 
-/// For each row the triangles that start in it.
-fn triangles_by_first_row(triangles: &[Projected], height: u32) -> Vec<Vec<usize>> {
-    let mut by_row = vec![Vec::new(); height as usize];
-    for (t, triangle) in triangles.iter().enumerate() {
-        let rows = triangle.coverage.rows(height);
-        if !rows.is_empty() {
-            by_row[rows.start as usize].push(t);
+/// Triangles by the row that they start in.
+struct ByFirstRow {
+    /// Where each row's begin in `triangles`, and the end of the last one's.
+    begins: Vec<usize>,
+    triangles: Vec<usize>,
+}
+
+impl ByFirstRow {
+    fn new(triangles: &[Projected], height: u32) -> ByFirstRow {
+        let mut begins = vec![0; height as usize + 1];
+        let first_rows = || {
+            let rows = triangles.iter().map(|triangle| triangle.coverage.rows(height)).enumerate();
+            rows.filter(|(_, rows)| !rows.is_empty()).map(|(t, rows)| (t, rows.start as usize))
+        };
+        first_rows().for_each(|(_, row)| begins[row + 1] += 1);
+        for row in 0..height as usize {
+            begins[row + 1] += begins[row];
         }
+        let mut ends = begins.clone();
+        let mut by_row = vec![0; begins[height as usize]];
+        for (t, row) in first_rows() {
+            by_row[ends[row]] = t;
+            ends[row] += 1;
+        }
+        ByFirstRow { begins, triangles: by_row }
     }
-    by_row
+
+    fn starting_in(&self, row: u32) -> &[usize] {
+        let row = row as usize;
+        &self.triangles[self.begins[row]..self.begins[row + 1]]
+    }
 }
 
 /// The nearest triangle at each pixel of the current row.
@@ -90,7 +111,8 @@ impl PixelRow {
             let length = run.len() as u32;
             if run[0] != NOTHING {
                 let weights = |column| triangles[run[0]].coverage.weights(column, y);
-                let (start, end) = (weights(x), weights(x + length - 1));
+                let start = weights(x);
+                let end = if length == 1 { start } else { weights(x + length - 1) };
                 spans.push(Span { x, y, length, triangle: run[0], start, end });
             }
             x += length;
@@ -106,9 +128,11 @@ fn nearness_along(triangle: &Projected, columns: &Range<u32>, y: u32) -> (f64, f
         let weights = triangle.coverage.weights(column, y);
         weights.iter().zip(triangle.nearness).map(|(w, n)| w * n).sum::<f64>()
     };
-    let (first, last) = (at(columns.start), at(columns.end - 1));
-    let steps = (columns.len() - 1).max(1);
-    (first, (last - first) / steps as f64)
+    let first = at(columns.start);
+    match columns.len() - 1 {
+        0 => (first, 0.0),
+        steps => (first, (at(columns.end - 1) - first) / steps as f64),
+    }
 }
 
 #[cfg(test)]

@@ -34,9 +34,10 @@ impl Framing {
         Framing { bounds, centre: middle(bounds), height: 0.0, distance: 0.0 }
     }
 
-    /// What shows another frame's objects as well.
-    pub fn and(self, [low, high]: [DVec3; 2]) -> Framing {
-        Framing::around([self.bounds[0].min(low), self.bounds[1].max(high)])
+    /// The same of the boxes of both.
+    pub fn and(self, other: Framing) -> Framing {
+        let ([low, high], [other_low, other_high]) = (self.bounds, other.bounds);
+        Framing::around([low.min(other_low), high.max(other_high)])
     }
 
     /// The same, high or far enough for a scene, of which the camera shows the middle of everything

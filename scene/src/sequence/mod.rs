@@ -1,15 +1,17 @@
 //! Sequences: scenes over frames, which one core is to shade.
 mod files;
+mod findings;
 mod framing;
 mod keys;
 mod motion;
 mod movement;
 mod moving;
 mod nodes;
+mod side_by_side;
 
 use std::sync::{Arc, OnceLock};
 
-use rayon::prelude::*;
+use glam::DVec3;
 
 use crate::picture::Scene;
 use crate::picture::project::PictureError;
@@ -17,6 +19,7 @@ use crate::{Frame, Needs, SceneError, Surface};
 
 pub(crate) use files::Besides;
 pub use files::FrameFiles;
+pub use findings::Findings;
 use framing::Framing;
 pub use keys::{Keys, Steps};
 pub use motion::{Change, Motion, Subject};
@@ -25,9 +28,13 @@ pub use moving::{MovingScene, Script};
 pub use nodes::{
     Between, Blend, FRAMES_A_SECOND, NodeMotions, Pose, Track, Tracks, Transform, TreeNode,
 };
+use side_by_side::side_by_side;
 
 /// The most frames of a sequence.
 pub const MOST_FRAMES: u32 = 10000;
+
+/// Triangles of frames that are made at once, about 500 bytes each, unless they are of two frames.
+const MOST_TRIANGLES_AT_ONCE: usize = 4_000_000;
 
 /// Frames that one core is to shade, one after the other. Each is made when it is asked for, so that
 /// memory does not grow with their number.
@@ -39,6 +46,8 @@ pub struct Sequence {
     framing: Option<Framing>,
     /// The needs of all frames together, once they are known.
     needs: Arc<OnceLock<Needs>>,
+    /// What else has been found out about it.
+    findings: Arc<Findings>,
 }
 
 /// Where frames come from.
@@ -59,8 +68,8 @@ impl Sequence {
     /// # Errors
     /// [`SceneError`] if a camera is invalid, or objects have no extent.
     pub fn new(name: &str, source: FrameSource) -> Result<Sequence, SceneError> {
-        let name = name.to_owned();
-        let sequence = Sequence { name, source, framing: None, needs: Arc::default() };
+        let (name, needs, findings) = (name.to_owned(), Arc::default(), Arc::default());
+        let sequence = Sequence { name, source, framing: None, needs, findings };
         let is_needed = Framing::is_needed(&sequence.scene(0)?.camera);
         let framing = is_needed.then(|| sequence.framed()).transpose()?;
         Ok(Sequence { framing, ..sequence })
@@ -78,10 +87,12 @@ impl Sequence {
     fn framed(&self) -> Result<Framing, SceneError> {
         let wrong = |index: u32| move |error| self.error(index, error);
         let extent = |index: u32| self.scene(index)?.extent().map_err(wrong(index));
-        let first = Framing::around(extent(0)?);
-        let all = (1..self.frames())
-            .try_fold(first, |framing, index| Ok::<_, SceneError>(framing.and(extent(index)?)))?;
-        (0..self.frames()).try_fold(all, |framing, index| {
+        let all: Vec<u32> = (0..self.frames()).collect();
+        let extents = side_by_side(&all, self.at_once(), extent).into_iter();
+        let extents: Vec<[DVec3; 2]> = extents.collect::<Result<_, SceneError>>()?;
+        let whole = extents.into_iter().map(Framing::around).reduce(Framing::and);
+        let whole = whole.expect("a sequence has at least one frame");
+        all.into_iter().try_fold(whole, |framing, index| {
             framing.enough_for(&self.scene(index)?).map_err(wrong(index))
         })
     }
@@ -126,10 +137,55 @@ impl Sequence {
         &self,
         of: impl Fn(u32, Frame) -> Result<T, E> + Sync,
     ) -> Result<Vec<T>, E> {
+        let all: Vec<u32> = (0..self.frames()).collect();
+        self.map_some(&all, of)
+    }
+
+    /// The same for the frames of these numbers alone.
+    ///
+    /// # Errors
+    /// As [`Sequence::map`].
+    pub fn map_some<T: Send, E: From<SceneError> + Send>(
+        &self,
+        numbers: &[u32],
+        of: impl Fn(u32, Frame) -> Result<T, E> + Sync,
+    ) -> Result<Vec<T>, E> {
         // All are asked before the first error is looked for, so that it is always the same one.
         let of = |index| self.frame(index).map_err(E::from).and_then(|frame| of(index, frame));
-        let all: Vec<Result<T, E>> = (0..self.frames()).into_par_iter().map(of).collect();
+        let all: Vec<Result<T, E>> = side_by_side(numbers, self.at_once(), of);
         all.into_iter().collect()
+    }
+
+    /// The number of frames that are made at once: one for each thread, or fewer of large ones.
+    fn at_once(&self) -> usize {
+        let triangles = match &self.source {
+            FrameSource::Moving(scene) => scene.triangles(),
+            // The first is not read again for this; folders have had room for theirs.
+            FrameSource::Files(_) => 0,
+        };
+        let few = (MOST_TRIANGLES_AT_ONCE / triangles.max(1)).max(2);
+        rayon::current_num_threads().min(few)
+    }
+
+    /// Everything that decides what its frames are, as text: where two are alike, so are all frames.
+    /// Meshes are in it as hashes.
+    ///
+    /// # Errors
+    /// [`SceneError`] if a frame's file cannot be read any more.
+    pub fn fingerprint(&self) -> Result<String, SceneError> {
+        let source = match &self.source {
+            FrameSource::Moving(scene) => format!("{scene:?}"),
+            FrameSource::Files(files) => {
+                let scene = |index| Ok(format!("{:?}", files.scene(index)?));
+                (0..files.frames()).map(scene).collect::<Result<_, SceneError>>()?
+            }
+        };
+        Ok(format!("{source}{:?}", self.framing))
+    }
+
+    /// What has been found out about it.
+    pub fn findings(&self) -> &Findings {
+        &self.findings
     }
 
     /// The needs of all frames together.

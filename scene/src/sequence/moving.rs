@@ -51,6 +51,11 @@ impl MovingScene {
         self.frames
     }
 
+    /// The number of its objects' triangles.
+    pub fn triangles(&self) -> usize {
+        self.scene.objects.iter().map(|object| object.mesh.triangles.len()).sum()
+    }
+
     /// The scene at frame number `index`, counted from 0. Meshes are shared, not copied.
     pub fn scene(&self, index: u32) -> Scene {
         let mut scene = self.scene.clone();

@@ -14,6 +14,14 @@ pub struct Destination {
 }
 
 impl Destination {
+    /// The path of a folder beside it, whose name is longer by a suffix.
+    pub fn beside(&self, suffix: &str) -> PathBuf {
+        // It has a name.
+        let mut name = self.place.file_name().unwrap_or_default().to_owned();
+        name.push(suffix);
+        self.place.with_file_name(name)
+    }
+
     /// What is undone when the program is interrupted.
     pub fn interrupts(&self) -> &Interrupts {
         &self.interrupts

@@ -7,7 +7,7 @@ pub use heat_map::{error_map, heat_map, heat_picture};
 pub use panels::{Panel, side_by_side};
 
 use std::fs::File;
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, Cursor, Write};
 use std::path::Path;
 
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
@@ -17,6 +17,23 @@ use specula_testbench::Image;
 /// Writes a picture as PNG.
 pub fn write_image(path: &Path, picture: &Image) -> io::Result<()> {
     write_png(path, picture.pixels.as_flattened(), (picture.width, picture.height))
+}
+
+/// A picture as the bytes of the file that [`write_image`] writes.
+pub fn image_png(picture: &Image) -> io::Result<Vec<u8>> {
+    let mut bytes = Cursor::new(vec![]);
+    let (pixels, format) = (picture.pixels.as_flattened(), ImageFormat::Png);
+    let (width, height) = (picture.width, picture.height);
+    image::write_buffer_with_format(
+        &mut bytes,
+        pixels,
+        width,
+        height,
+        ExtendedColorType::Rgb8,
+        format,
+    )
+    .map_err(io_error)?;
+    Ok(bytes.into_inner())
 }
 
 /// Writes a drawing as PNG.

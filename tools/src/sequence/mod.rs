@@ -1,21 +1,24 @@
 //! Sequences: every frame of a scene that moves, shaded by one core.
 mod animation;
 mod files;
+mod partial;
 mod plot;
 
-use rayon::prelude::*;
-use serde::Serialize;
+use std::io::{self, Write};
+
+use serde::{Deserialize, Serialize};
 use specula_datapath::Design;
 use specula_scene::{Frame, Sequence};
 use specula_testbench::{Bench, EngineKind, Errors, Image, Outcome};
 
 use crate::error::ToolError;
 use crate::job::Job;
-use crate::output::Staging;
-use crate::{picture, progress};
+use crate::output::{Destination, Staging};
+use crate::progress;
 
 pub use animation::{ANIMATION, write_animation};
 pub use files::{TABLE, table};
+pub use partial::{Known, Partial};
 pub use plot::{PLOT, plot};
 
 /// How a sequence's frames are simulated.
@@ -48,7 +51,7 @@ pub struct ShadedSequence {
 }
 
 /// What came of a frame.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct ShadedFrame {
     /// Its number, counted from 0.
     pub frame: u32,
@@ -68,16 +71,14 @@ pub struct ShadedFrame {
     pub error: Errors,
 }
 
-/// Frames that are shaded before their pictures are written, for each thread.
-const BATCH: usize = 4;
-
 /// The name of a frame's picture.
 pub fn picture_name(frame: u32) -> String {
     format!("frame_{frame:04}.png")
 }
 
 /// Shades every frame with one core, frames side by side, and writes the picture of each as soon as
-/// it is there, so that memory does not grow with their number.
+/// it is there, so that memory does not grow with their number. Frames that an interrupted run has
+/// done are not shaded again.
 ///
 /// # Errors
 /// [`ToolError`] if a frame cannot be drawn or simulated, or its picture cannot be written.
@@ -85,29 +86,59 @@ pub fn shade(
     (job, sequence): (&Job, &Sequence),
     design: &Design,
     simulation: Simulation,
-    staging: &Staging,
-) -> Result<ShadedSequence, ToolError> {
+    (destination, staging): (&Destination, &Staging),
+) -> Result<(ShadedSequence, Partial), ToolError> {
+    let fingerprint = fingerprint(job, sequence, simulation)?;
+    let (partial, known) = Partial::open(destination, staging, &fingerprint)?;
+    known.tell(sequence.frames());
     let bar = progress::frames(sequence.frames());
-    let batch = BATCH * rayon::current_num_threads();
-    let numbers: Vec<u32> = (0..sequence.frames()).collect();
-    let mut by_frame = Vec::with_capacity(numbers.len());
-    for numbers in numbers.chunks(batch) {
-        let one = |&number: &u32| {
-            let shaded = shade_frame(job, design, simulation, number, &sequence.frame(number)?);
-            shaded.inspect(|_| bar.inc(1))
-        };
-        let shaded: Vec<Result<(ShadedFrame, Image), ToolError>> =
-            numbers.par_iter().map(one).collect();
-        for shaded in shaded {
-            let (frame, image) = shaded?;
-            let name = picture_name(frame.frame);
-            let written = picture::write_image(&staging.file(&name), &image);
-            written.map_err(staging.failed(&name))?;
-            by_frame.push(frame);
-        }
-    }
+    bar.inc(known.frames.len() as u64);
+    let missing: Vec<u32> =
+        (0..sequence.frames()).filter(|number| !known.frames.contains_key(number)).collect();
+    let shaded = sequence.map_some(&missing, |number, frame| {
+        let (shaded, image) = shade_frame(job, design, simulation, number, &frame)?;
+        partial.add(&shaded, &image).map_err(staging.failed(&picture_name(number)))?;
+        bar.inc(1);
+        Ok::<_, ToolError>(shaded)
+    })?;
     bar.finish_and_clear();
-    Ok(ShadedSequence::of(by_frame))
+    let mut by_frame = known.frames;
+    by_frame.extend(shaded.into_iter().map(|shaded| (shaded.frame, shaded)));
+    for &number in by_frame.keys() {
+        partial.put(number, staging).map_err(staging.failed(&picture_name(number)))?;
+    }
+    Ok((ShadedSequence::of(by_frame.into_values().collect()), partial))
+}
+
+/// A hash of everything that decides what frames become.
+fn fingerprint(
+    job: &Job,
+    sequence: &Sequence,
+    simulation: Simulation,
+) -> Result<String, ToolError> {
+    let (version, frames) = (env!("CARGO_PKG_VERSION"), sequence.fingerprint()?);
+    let all = format!("{version}\n{frames}\n{}\n{simulation:?}", job.file.text());
+    Ok(partial::hash(all.as_bytes()))
+}
+
+impl Known {
+    /// Says on standard error what was found.
+    fn tell(&self, frames: u32) {
+        let mut stderr = io::stderr().lock();
+        // A closed standard error is no reason to stop.
+        let _ = match (&self.replaced, self.frames.len()) {
+            (Some(folder), _) => writeln!(
+                stderr,
+                "frames: all are shaded; `{}` was of another scene, core, engine or version, and is replaced",
+                folder.display()
+            ),
+            (None, 0) => Ok(()),
+            (None, known) => writeln!(
+                stderr,
+                "frames: {known} of {frames} are there from a run that was interrupted"
+            ),
+        };
+    }
 }
 
 fn shade_frame(

@@ -8,6 +8,7 @@ mod figure9;
 mod fusesoc;
 mod generate;
 mod help;
+mod interrupted;
 mod methods;
 mod needs;
 mod output;

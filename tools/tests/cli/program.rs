@@ -58,7 +58,8 @@ impl Place {
         )
     }
 
-    fn program(&self, folder: &str) -> Command {
+    /// The program in a folder inside this one, which has not been started.
+    pub fn program(&self, folder: &str) -> Command {
         let mut program = Command::new(env!("CARGO_BIN_EXE_specula"));
         // The same words on every machine.
         program

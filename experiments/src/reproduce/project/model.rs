@@ -1,7 +1,6 @@
 //! The project's models, each lit from infinity and from a place.
 use std::fmt::Write;
 use std::path::Path;
-use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 use specula_scene::mesh::{Mesh, MeshError};
@@ -78,7 +77,7 @@ impl Model {
             ambient: defaults::AMBIENT,
             lights: vec![Light { source, space, colour: [1.0; 3] }],
             objects: vec![Object {
-                mesh: Arc::new(self.mesh.clone()),
+                mesh: self.mesh.clone().into(),
                 primitive: None,
                 place: DAffine3::IDENTITY,
                 material: defaults::material().into(),

@@ -80,7 +80,7 @@ fn not_repaired(valence: usize, overshoot: f64) -> f64 {
     let mut draw = Draw::new(SEED, valence as u64);
     let is_left = |normals: &[DVec3]| {
         let normal = normals.iter().sum::<DVec3>().normalize_or(DVec3::Z);
-        let repaired = repaired(normal, normals, overshoot);
+        let repaired = repaired(normal, normals.iter().copied(), overshoot);
         normals.iter().any(|face| repaired.dot(*face) < 0.0)
     };
     let left = (0..FANS)
