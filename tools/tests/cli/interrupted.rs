@@ -16,6 +16,8 @@ height = 3
 [[object]]
 primitive = \"torus\"
 level = 5
+[core]
+method = \"lyon\"
 [sequence]
 frames = 24
 [[sequence.motion]]

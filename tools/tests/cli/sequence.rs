@@ -34,15 +34,15 @@ axis = [1, 0, 0]
 steps = \"smooth\"
 ";
 
-fn with_scene(core: &str) -> Place {
+fn with_scene() -> Place {
     let place = Place::new();
-    place.write("rise.toml", format!("{SCENE}{core}"));
+    place.write("rise.toml", SCENE);
     place
 }
 
 #[test]
 fn every_frame_is_shaded_and_compared() {
-    let place = with_scene("");
+    let place = with_scene();
     let summary = place.succeeds(&["run", "rise.toml"]);
     for line in [
         "sequence                  5 frames, 0 to 4: all agree",
@@ -71,7 +71,7 @@ fn every_frame_is_shaded_and_compared() {
 /// The animation has every frame's pixels, whatever changes from one to the next.
 #[test]
 fn the_animation_is_the_frames() {
-    let place = with_scene("");
+    let place = with_scene();
     place.succeeds(&["run", "rise.toml"]);
     let file = BufReader::new(File::open(place.path("out/rise/animation.png")).unwrap());
     let mut reader = png::Decoder::new(file).read_info().unwrap();
@@ -94,7 +94,7 @@ fn the_animation_is_the_frames() {
 /// A core for one frame does not shade the others, and says which; one for all does.
 #[test]
 fn a_core_for_all_frames_takes_the_sequence_again() {
-    let place = with_scene("");
+    let place = with_scene();
     place.succeeds(&["run", "rise.toml", "-o", "all"]);
     place.succeeds(&["run", "rise.toml", "--core", "all", "-o", "again"]);
     assert_eq!(place.report("again")["sequence"], place.report("all")["sequence"]);
@@ -108,7 +108,7 @@ fn a_core_for_all_frames_takes_the_sequence_again() {
 
 #[test]
 fn errors_that_are_measured_are_of_one_picture() {
-    let place = with_scene("");
+    let place = with_scene();
     let refused = place.specula(&["run", "rise.toml", "--max-error", "2lsb"]);
     assert_eq!(refused.status, Some(2));
     insta::assert_snapshot!(refused.stderr);
@@ -117,7 +117,7 @@ fn errors_that_are_measured_are_of_one_picture() {
 /// Frames are the same on every machine and in every run, whichever is ready first.
 #[test]
 fn a_sequence_gives_the_same_files_every_time() {
-    let place = with_scene("");
+    let place = with_scene();
     for folder in ["one", "other"] {
         place.succeeds(&["run", "rise.toml", "-o", folder, "--name", "rise"]);
     }
@@ -166,7 +166,7 @@ fn auto_chooses_a_method() {
 /// What looks at one frame says so.
 #[test]
 fn one_frame_is_explored_and_that_is_told() {
-    let place = with_scene("");
+    let place = with_scene();
     let ended =
         place.specula(&["explore", "rise.toml", "--max-error", "6lsb", "--methods", "gouraud"]);
     assert!(ended.stderr.starts_with("frames: the first of 5 alone is looked at\n"), "{ended:?}");
