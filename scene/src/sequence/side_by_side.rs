@@ -1,7 +1,7 @@
 //! Work on frames side by side, on few of them at once.
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
+use std::thread::{self, ScopedJoinHandle};
 
 /// What `of` gives for every item, in their order, where `workers` threads take the next item
 /// whenever they are done with one. So no more than `workers` items are under way, which rayon does
@@ -22,7 +22,7 @@ pub(super) fn side_by_side<I: Copy + Sync, T: Send>(
     };
     let mut all: Vec<(usize, T)> = thread::scope(|scope| {
         let started: Vec<_> = (0..workers.min(items.len())).map(|_| scope.spawn(work)).collect();
-        let joined = started.into_iter().map(|worker| worker.join());
+        let joined = started.into_iter().map(ScopedJoinHandle::join);
         // A panic goes on in the thread that waits.
         joined.flat_map(|done| done.unwrap_or_else(|panic| resume_unwind(panic))).collect()
     });

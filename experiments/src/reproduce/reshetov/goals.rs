@@ -201,15 +201,13 @@ pub const CLAIMS: [Claim; 13] = [
         },
     },
     goal("(8): N_c.I is |I + r|/2", "largest difference", || by_both(half_length)),
-    behind_face("N.L, 1 degree behind a face 30 degrees from N", 0.484_81, || {
-        behind(|normal, light| normal.dot(light))
-    }),
+    behind_face("N.L, 1 degree behind a face 30 degrees from N", 0.484_81, || behind(DVec3::dot)),
     behind_face("the same of N_c.L (q~)", 0.678_97, || behind(consistent_cosine)),
     exact(
         "3.3: which is usually not noticed, as the product is very small then",
         "the larger of the two",
         (0.678_97, 5e-6),
-        || f64::max(behind(|normal, light| normal.dot(light)), behind(consistent_cosine)),
+        || f64::max(behind(DVec3::dot), behind(consistent_cosine)),
         |cosine| Ruling::of(cosine < 0.1, "it is large where a face leans far from its normals"),
     ),
     exact(
