@@ -98,7 +98,7 @@ impl Pinhole {
         })
     }
 
-    /// What is seen of a triangle within the [`Pinhole::sight`] whose corners are so near.
+    /// What is seen of a triangle within the `Pinhole::sight` whose corners are so near.
     pub fn whole(&self, nearness: [f64; 3]) -> Perspective {
         Perspective { corners: Perspective::WHOLE, nearness, interpolation: self.interpolation }
     }
@@ -108,7 +108,7 @@ impl Pinhole {
         self.distance(place).recip()
     }
 
-    /// The place in a picture of `size`, in pixels, of a point within the [`Pinhole::sight`], which
+    /// The place in a picture of `size`, in pixels, of a point within the `Pinhole::sight`, which
     /// is given from the eye. Where an edge is cut off, it may be beyond by a rounding.
     pub fn place_in(&self, point: DVec3, size: (u32, u32)) -> [f64; 2] {
         let [x, y] = self.place(point);
