@@ -231,7 +231,7 @@ impl CoreArguments {
 
 /// The core that is chosen where any method will do, in recommended formats; what it was chosen for
 /// goes to standard error.
-pub fn chosen(scene: &LoadedScene, products: &Products) -> Result<CoreSpec, ToolError> {
+fn chosen(scene: &LoadedScene, products: &Products) -> Result<CoreSpec, ToolError> {
     let choice = auto::choose(scene, auto::GOAL, products)?;
     // A closed standard error is no reason to stop.
     let _ = writeln!(io::stderr(), "method: {}", choice.in_words());
