@@ -103,11 +103,10 @@ impl SceneCore for LoadedScene {
     }
 
     fn as_wished(&self, general: CoreSpec) -> Result<CoreSpec, CoreError> {
-        Ok(match (specialise(self)?, &self.sequence) {
-            (Specialise::General, _) => general,
-            (Specialise::Scene, None) => general.specialised(&self.frame),
-            (Specialise::Scene, Some(sequence)) => general.survey(sequence)?.core,
-        })
+        match specialise(self)? {
+            Specialise::General => Ok(general),
+            Specialise::Scene => for_the_scene(self, general),
+        }
     }
 
     fn core_for(&self, needs: &Needs, method: Option<Method>) -> Result<CoreSpec, CoreError> {
@@ -117,11 +116,7 @@ impl SceneCore for LoadedScene {
     fn core_keeping(&self, keep: &[&str], method: Option<Method>) -> Result<CoreSpec, CoreError> {
         let mut options = core_options(self)?.unwrap_or_default();
         options.keep = keep.iter().map(|&name| name.to_owned()).collect();
-        let spec = core_by(self, Some(&options), &self.needs()?, method)?;
-        Ok(match &self.sequence {
-            None => spec.specialised(&self.frame),
-            Some(sequence) => spec.survey(sequence)?.core,
-        })
+        for_the_scene(self, core_by(self, Some(&options), &self.needs()?, method)?)
     }
 
     fn leaves_method_open(&self) -> Result<bool, CoreError> {
@@ -176,6 +171,14 @@ fn core_by(
             let needs = spec.specialisation.kept().relaxed(needs);
             without_interpolation(spec, &needs, options)
         }
+    })
+}
+
+/// A core for the scene's frame, or for all frames where the scene moves.
+fn for_the_scene(scene: &LoadedScene, general: CoreSpec) -> Result<CoreSpec, CoreError> {
+    Ok(match &scene.sequence {
+        None => general.specialised(&scene.frame),
+        Some(sequence) => general.survey(sequence)?.core,
     })
 }
 

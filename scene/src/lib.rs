@@ -12,6 +12,7 @@ mod error;
 mod file;
 
 pub mod frame;
+mod grouped;
 mod illumination;
 pub mod limits;
 mod load;

@@ -239,7 +239,7 @@ fn chosen(scene: &LoadedScene, products: &Products) -> Result<CoreSpec, ToolErro
 }
 
 /// The core for a frame, specialised as `--specialise` says; unchanged without the option.
-pub fn specialised(spec: CoreSpec, wish: Option<Specialise>, frame: &Frame) -> CoreSpec {
+fn specialised(spec: CoreSpec, wish: Option<Specialise>, frame: &Frame) -> CoreSpec {
     match wish {
         None => spec,
         Some(Specialise::Scene) => spec.specialised(frame),

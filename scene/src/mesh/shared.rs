@@ -17,14 +17,7 @@ pub struct SharedMesh(Arc<Shared>);
 struct Shared {
     mesh: Mesh,
     vertices: OnceLock<Vertices>,
-    unused: OnceLock<Unused>,
-}
-
-/// Which positions no triangle uses.
-enum Unused {
-    None,
-    /// For each whether it is used.
-    Some(Vec<bool>),
+    is_used: OnceLock<Option<Vec<bool>>>,
 }
 
 impl SharedMesh {
@@ -36,31 +29,25 @@ impl SharedMesh {
     /// The smallest and largest coordinates of places, of which each is that of a vertex, as far as
     /// triangles use them.
     pub(crate) fn bounds(&self, places: &[DVec3]) -> Option<[DVec3; 2]> {
-        let around = |places: &mut dyn Iterator<Item = DVec3>| {
-            let first = places.next()?;
-            Some(places.fold([first; 2], |[low, high], p| [low.min(p), high.max(p)]))
+        let is_used = self.0.is_used.get_or_init(|| is_used(&self.0.mesh));
+        let used = |(k, place): (usize, &DVec3)| {
+            is_used.as_ref().is_none_or(|is_used| is_used[k]).then_some([*place; 2])
         };
-        match self.0.unused.get_or_init(|| Unused::of(&self.0.mesh)) {
-            Unused::None => around(&mut places.iter().copied()),
-            Unused::Some(is_used) => {
-                let used = places.iter().zip(is_used).filter(|(_, is_used)| **is_used);
-                around(&mut used.map(|(place, _)| *place))
-            }
-        }
+        let used = places.iter().enumerate().filter_map(used);
+        used.reduce(|[low, high], [place, _]| [low.min(place), high.max(place)])
     }
 }
 
-impl Unused {
-    fn of(mesh: &Mesh) -> Unused {
-        let mut is_used = vec![false; mesh.positions.len()];
-        mesh.triangles.iter().flatten().for_each(|&k| is_used[k as usize] = true);
-        if is_used.iter().all(|&is_used| is_used) { Unused::None } else { Unused::Some(is_used) }
-    }
+/// Whether each position is used by a triangle; `None` if all are.
+fn is_used(mesh: &Mesh) -> Option<Vec<bool>> {
+    let mut is_used = vec![false; mesh.positions.len()];
+    mesh.triangles.iter().flatten().for_each(|&k| is_used[k as usize] = true);
+    is_used.contains(&false).then_some(is_used)
 }
 
 impl From<Mesh> for SharedMesh {
     fn from(mesh: Mesh) -> SharedMesh {
-        SharedMesh(Arc::new(Shared { mesh, vertices: OnceLock::new(), unused: OnceLock::new() }))
+        SharedMesh(Arc::new(Shared { mesh, vertices: OnceLock::new(), is_used: OnceLock::new() }))
     }
 }
 

@@ -5,6 +5,7 @@ use glam::DVec3;
 
 use super::Mesh;
 use super::normals::{direction_of, newell};
+use crate::grouped::Grouped;
 
 /// Places count as equal if they agree to within this share of the mesh's extent: corners computed
 /// on both sides of a seam do, apart from rounding.
@@ -22,10 +23,8 @@ type Key = [i64; 6];
 pub(crate) struct Vertices {
     /// The vertex at each triangle's corners.
     at_corners: Vec<[u32; 3]>,
-    /// Where each vertex' triangles begin in `around`, and the end of the last one's.
-    begins: Vec<u32>,
-    /// Triangles around each vertex in their order, once for each of their corners there.
-    around: Vec<u32>,
+    /// Triangles around each vertex, once for each of their corners there.
+    around: Grouped,
 }
 
 impl Vertices {
@@ -43,8 +42,9 @@ impl Vertices {
             })
         });
         let at_corners: Vec<[u32; 3]> = corners.collect();
-        let (begins, around) = by_vertex(&at_corners, known.len());
-        Vertices { at_corners, begins, around }
+        let of_corner = |(triangle, corners): (u32, &[u32; 3])| corners.map(|k| (k, triangle));
+        let around = Grouped::new(known.len(), (0..).zip(&at_corners).flat_map(of_corner));
+        Vertices { at_corners, around }
     }
 
     /// The number of triangles.
@@ -54,7 +54,7 @@ impl Vertices {
 
     /// The number of vertices.
     pub fn count(&self) -> usize {
-        self.begins.len() - 1
+        self.around.groups()
     }
 
     /// The vertices at a triangle's corners.
@@ -64,8 +64,7 @@ impl Vertices {
 
     /// The triangles around a vertex.
     pub fn around(&self, vertex: u32) -> &[u32] {
-        let [begin, end] = [vertex, vertex + 1].map(|k| self.begins[k as usize] as usize);
-        &self.around[begin..end]
+        self.around.of(vertex)
     }
 }
 
@@ -79,27 +78,6 @@ fn keys(mesh: &Mesh, triangle: usize, extent: f64) -> [Key; 3] {
         let [along_x, along_y, along_z] = normal.to_array().map(|x| raw(x, NORMAL));
         [x, y, z, along_x, along_y, along_z]
     })
-}
-
-/// Where each vertex' triangles begin, and the triangles, ordered by vertex.
-fn by_vertex(at_corners: &[[u32; 3]], vertices: usize) -> (Vec<u32>, Vec<u32>) {
-    let mut begins = vec![0_u32; vertices + 1];
-    for &vertex in at_corners.iter().flatten() {
-        begins[vertex as usize + 1] += 1;
-    }
-    for vertex in 0..vertices {
-        begins[vertex + 1] += begins[vertex];
-    }
-    let mut ends = begins.clone();
-    let mut around = vec![0; 3 * at_corners.len()];
-    for (triangle, corners) in (0..).zip(at_corners) {
-        for &vertex in corners {
-            let end = &mut ends[vertex as usize];
-            around[*end as usize] = triangle;
-            *end += 1;
-        }
-    }
-    (begins, around)
 }
 
 #[cfg(test)]

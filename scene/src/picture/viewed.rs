@@ -87,7 +87,8 @@ impl<'a> ViewedObject<'a> {
         direction_of(self.to_normals * self.object.mesh.normals[triangle][v])
     }
 
-    /// The triangle as it is shaded, where a view shows it, which has said by its name that it does, with its normals on the visible side.
+    /// The triangle as it is shaded, with its normals on the visible side. The view shows it: the name
+    /// is one that it gave.
     pub fn triangle(&self, name: TriangleId, fans: &VertexFans, view: &View) -> Triangle {
         let index = name.triangle as usize;
         let face = self.face(index);

@@ -3,6 +3,7 @@ use std::ops::Range;
 
 use super::coverage::Coverage;
 use crate::Span;
+use crate::grouped::Grouped;
 
 /// A triangle projected to the picture.
 #[derive(Clone, Debug)]
@@ -20,15 +21,16 @@ pub(super) struct Projected {
 /// are processed one at a time with the triangles that reach them, so that memory does not grow
 /// with the picture.
 pub(super) fn visible_spans(triangles: &[Projected], width: u32, height: u32) -> Vec<Span> {
-    let by_row = ByFirstRow::new(triangles, height);
+    let by_row = by_first_row(triangles, height);
     let mut row = PixelRow::new(width);
-    let mut active: Vec<usize> = Vec::new();
+    let mut active: Vec<u32> = Vec::new();
     let mut spans = Vec::new();
     for y in 0..height {
-        active.extend(by_row.starting_in(y));
+        active.extend(by_row.of(y));
         active.retain(|&t| {
-            row.draw(t, &triangles[t], y);
-            triangles[t].coverage.rows(height).end > y + 1
+            let triangle = &triangles[t as usize];
+            row.draw(t as usize, triangle, y);
+            triangle.coverage.rows(height).end > y + 1
         });
         row.finish(y, triangles, &mut spans);
     }
@@ -36,36 +38,11 @@ pub(super) fn visible_spans(triangles: &[Projected], width: u32, height: u32) ->
 }
 
 /// Triangles by the row that they start in.
-struct ByFirstRow {
-    /// Where each row's begin in `triangles`, and the end of the last one's.
-    begins: Vec<usize>,
-    triangles: Vec<usize>,
-}
-
-impl ByFirstRow {
-    fn new(triangles: &[Projected], height: u32) -> ByFirstRow {
-        let mut begins = vec![0; height as usize + 1];
-        let first_rows = || {
-            let rows = triangles.iter().map(|triangle| triangle.coverage.rows(height)).enumerate();
-            rows.filter(|(_, rows)| !rows.is_empty()).map(|(t, rows)| (t, rows.start as usize))
-        };
-        first_rows().for_each(|(_, row)| begins[row + 1] += 1);
-        for row in 0..height as usize {
-            begins[row + 1] += begins[row];
-        }
-        let mut ends = begins.clone();
-        let mut by_row = vec![0; begins[height as usize]];
-        for (t, row) in first_rows() {
-            by_row[ends[row]] = t;
-            ends[row] += 1;
-        }
-        ByFirstRow { begins, triangles: by_row }
-    }
-
-    fn starting_in(&self, row: u32) -> &[usize] {
-        let row = row as usize;
-        &self.triangles[self.begins[row]..self.begins[row + 1]]
-    }
+fn by_first_row(triangles: &[Projected], height: u32) -> Grouped {
+    // Memory ends long before 2^32 triangles.
+    let rows = (0..).zip(triangles).map(|(t, triangle)| (triangle.coverage.rows(height), t));
+    let starting = rows.filter(|(rows, _)| !rows.is_empty()).map(|(rows, t)| (rows.start, t));
+    Grouped::new(height as usize, starting)
 }
 
 /// The nearest triangle at each pixel of the current row.

@@ -1,5 +1,6 @@
 //! A folder that results go into.
-use std::path::PathBuf;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
 
 use super::interrupt::Interrupts;
 
@@ -14,12 +15,16 @@ pub struct Destination {
 }
 
 impl Destination {
-    /// The path of a folder beside it, whose name is longer by a suffix.
-    pub fn beside(&self, suffix: &str) -> PathBuf {
-        // It has a name.
-        let mut name = self.place.file_name().unwrap_or_default().to_owned();
-        name.push(suffix);
-        self.place.with_file_name(name)
+    /// The path of a folder beside it, whose name is longer by a suffix, and that path as the user
+    /// would write it.
+    pub fn beside(&self, suffix: &str) -> (PathBuf, PathBuf) {
+        let longer = |folder: &Path| {
+            // Without a slash at its end.
+            let mut name: OsString = folder.components().collect::<PathBuf>().into();
+            name.push(suffix);
+            PathBuf::from(name)
+        };
+        (longer(&self.place), longer(&self.shown))
     }
 
     /// What is undone when the program is interrupted.

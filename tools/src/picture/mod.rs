@@ -6,7 +6,7 @@ mod scale;
 pub use heat_map::{error_map, heat_map, heat_picture};
 pub use panels::{Panel, side_by_side};
 
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, BufWriter, Cursor, Write};
 use std::path::Path;
 
@@ -21,19 +21,7 @@ pub fn write_image(path: &Path, picture: &Image) -> io::Result<()> {
 
 /// A picture as the bytes of the file that [`write_image`] writes.
 pub fn image_png(picture: &Image) -> io::Result<Vec<u8>> {
-    let mut bytes = Cursor::new(vec![]);
-    let (pixels, format) = (picture.pixels.as_flattened(), ImageFormat::Png);
-    let (width, height) = (picture.width, picture.height);
-    image::write_buffer_with_format(
-        &mut bytes,
-        pixels,
-        width,
-        height,
-        ExtendedColorType::Rgb8,
-        format,
-    )
-    .map_err(io_error)?;
-    Ok(bytes.into_inner())
+    png_of_pixels(picture.pixels.as_flattened(), (picture.width, picture.height))
 }
 
 /// Writes a drawing as PNG.
@@ -60,16 +48,16 @@ fn encode(drawing: &RgbImage, to: impl Write, filter: FilterType) -> io::Result<
     encoder.write_image(drawing.as_raw(), width, height, ExtendedColorType::Rgb8).map_err(io_error)
 }
 
-fn write_png(path: &Path, bytes: &[u8], (width, height): (u32, u32)) -> io::Result<()> {
-    let saved = image::save_buffer_with_format(
-        path,
-        bytes,
-        width,
-        height,
-        ExtendedColorType::Rgb8,
-        ImageFormat::Png,
-    );
-    saved.map_err(io_error)
+fn write_png(path: &Path, pixels: &[u8], size: (u32, u32)) -> io::Result<()> {
+    fs::write(path, png_of_pixels(pixels, size)?)
+}
+
+fn png_of_pixels(pixels: &[u8], (width, height): (u32, u32)) -> io::Result<Vec<u8>> {
+    let (colour, format) = (ExtendedColorType::Rgb8, ImageFormat::Png);
+    let mut bytes = Cursor::new(vec![]);
+    image::write_buffer_with_format(&mut bytes, pixels, width, height, colour, format)
+        .map_err(io_error)?;
+    Ok(bytes.into_inner())
 }
 
 fn io_error(error: ImageError) -> io::Error {

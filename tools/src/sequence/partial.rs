@@ -3,7 +3,6 @@
 //! They are in a folder beside the one that the run is to write, which stays as it was until
 //! everything is there (decision 0050).
 use std::collections::BTreeMap;
-use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
 use std::hash::{DefaultHasher, Hasher};
 use std::io::{self, Seek, SeekFrom, Write};
@@ -74,8 +73,7 @@ impl Partial {
         staging: &Staging,
         fingerprint: &str,
     ) -> Result<(Partial, Known), OutputError> {
-        let folder = destination.beside(SUFFIX);
-        let shown = with_suffix(&destination.shown);
+        let (folder, shown) = destination.beside(SUFFIX);
         refuse_foreign(&folder, &shown)?;
         let begin = || {
             let (folder, journal) = match opened(&folder)? {
@@ -221,14 +219,6 @@ fn is_picture(name: &str) -> bool {
     let name = name.strip_suffix(NEW).unwrap_or(name);
     let number = name.strip_prefix("frame_").and_then(|rest| rest.strip_suffix(".png"));
     number.is_some_and(|digits| digits.bytes().all(|byte| byte.is_ascii_digit()))
-}
-
-/// A folder's path with the suffix.
-fn with_suffix(folder: &Path) -> PathBuf {
-    // Without a slash at its end.
-    let mut name: OsString = folder.components().collect::<PathBuf>().into();
-    name.push(SUFFIX);
-    name.into()
 }
 
 /// A hash of bytes. Another release of Rust may hash otherwise; then frames are shaded again.

@@ -53,12 +53,12 @@ fn highlight(normal: Option<DVec3>) -> f64 {
     normal.map_or(0.0, |normal| power(textbook(normal, EYE), SHININESS))
 }
 
-const fn sharper(quantity: &'static str, expected: (f64, f64), place: fn() -> f64) -> Claim {
+const fn sharper(quantity: &'static str, expected: (f64, f64), measure: fn() -> f64) -> Claim {
     exact(
         "Phong shading is considerably better for specular reflections",
         quantity,
         expected,
-        place,
+        measure,
         |ratio| Ruling::of(ratio < 0.5, "its highlights are as far from the surface's"),
     )
 }

@@ -5,6 +5,7 @@ use glam::DVec3;
 use specula_golden::exact::formula::consistent::{
     Scaling, cos_gamma, cosine, normal, pixel_angle, q, rational_q, reflection, vertex_angle,
 };
+use specula_golden::exact::method::consistent::consistent_cosine;
 use specula_scene::picture::{ConedFace, coned_faces};
 use specula_scene::primitive::Primitive;
 
@@ -113,8 +114,8 @@ fn behind(cosine_of: fn(DVec3, DVec3) -> f64) -> f64 {
 /// Degrees between a face's normal and the interpolated one.
 const LEAN: f64 = 30.0;
 
-fn consistent_cosine(normal: DVec3, incoming: DVec3) -> f64 {
-    cosine(incoming, reflection(normal, incoming, rational_q(LEAN.to_radians())))
+fn of_consistent(normal: DVec3, incoming: DVec3) -> f64 {
+    consistent_cosine(normal, rational_q(LEAN.to_radians()), incoming)
 }
 
 /// The largest angle in degrees between an incoming direction and what comes back along the reverse
@@ -202,12 +203,12 @@ pub const CLAIMS: [Claim; 13] = [
     },
     goal("(8): N_c.I is |I + r|/2", "largest difference", || by_both(half_length)),
     behind_face("N.L, 1 degree behind a face 30 degrees from N", 0.484_81, || behind(DVec3::dot)),
-    behind_face("the same of N_c.L (q~)", 0.678_97, || behind(consistent_cosine)),
+    behind_face("the same of N_c.L (q~)", 0.678_97, || behind(of_consistent)),
     exact(
         "3.3: which is usually not noticed, as the product is very small then",
         "the larger of the two",
         (0.678_97, 5e-6),
-        || f64::max(behind(DVec3::dot), behind(consistent_cosine)),
+        || f64::max(behind(DVec3::dot), behind(of_consistent)),
         |cosine| Ruling::of(cosine < 0.1, "it is large where a face leans far from its normals"),
     ),
     exact(
