@@ -51,6 +51,16 @@ pub enum ToolError {
         /// The targets for which it can.
         known: String,
     },
+    /// Gappa cannot be asked.
+    #[error("Gappa gives no answer: {what}")]
+    #[diagnostic(
+        code(specula::prove::gappa),
+        help("if it is a script that is wrong, this is a fault of Specula's: please report it with the command")
+    )]
+    Gappa {
+        /// What is wrong.
+        what: String,
+    },
     /// No core is as exact as the user asked for.
     #[error(transparent)]
     #[diagnostic(transparent)]

@@ -1,0 +1,47 @@
+//! Dot products, of which more is known than of a sum of three products.
+use specula_datapath::graph::{RealId, Rule};
+
+use super::{Writer, Written};
+
+/// What intervals cannot see.
+const CAUCHY_SCHWARZ: &str = "Cauchy and Schwarz: |a.b| <= |a||b|";
+
+impl Writer<'_> {
+    /// As the sum of products that it is.
+    pub fn sum_of_products(mut self, of: RealId) -> Written {
+        let fixed = self.fixed_of(self.goal);
+        let real = self.real(of);
+        let goals = [Some(self.error_goal(&fixed, &real)), self.real_goal(&real)];
+        self.written(goals.into_iter().flatten().collect())
+    }
+
+    /// As a product of vectors, whose errors are known as wholes:
+    ///
+    /// ```text
+    /// a.b - a'.b' = u (|a| e_b + |b| e_a + e_a e_b),   |u| ≤ 1
+    /// ```
+    pub fn dot_product(mut self) -> Written {
+        let graph = self.graph;
+        let Rule::DotProduct { vectors, lengths, .. } = &graph.real(self.goal).rule else {
+            return self.written(vec![]);
+        };
+        let fixed = self.fixed_of(self.goal);
+        let components = vectors.map(|vector| {
+            graph.vectors[vector.0 as usize].components.map(|component| self.fixed_of(component))
+        });
+        let products = components[0].iter().zip(&components[1]);
+        let products: Vec<String> = products.map(|(a, b)| format!("({a}) * ({b})")).collect();
+        let exact = self.define('F', "exact", products.join(" + "));
+        let error = |of: usize| self.bounds.of_vector(graph, vectors[of]).error.length;
+        let [a, b, e_a, e_b] =
+            [lengths[0], lengths[1], error(0), error(1)].map(|number| self.number(number));
+        let whole = format!("share * ({a} * {e_b} + {b} * {e_a} + {e_a} * {e_b})");
+        let whole = self.define('E', "whole", whole);
+        self.suppose("share in [-1, 1]".to_owned());
+        let real = self.define('R', "whole", format!("{exact} - {whole}"));
+        self.hint(&format!("{fixed} - {real}"), &format!("({fixed} - {exact}) + {whole}"));
+        self.premises.insert(CAUCHY_SCHWARZ.to_owned());
+        let goal = self.error_goal(&fixed, &real);
+        self.written(vec![goal])
+    }
+}
