@@ -9,10 +9,13 @@ use specula_datapath::pass::Bounds;
 
 use super::script::Writer;
 use super::{About, Alternative, Detail, Goal, Script, number};
-use branch::{Path, paths};
+use branch::{Branch, branches};
 
 /// What the rules for choices rest on: fixed-point and real value take the same branch, or both meet.
 const SAME_CHOICE: &str = "same choice, or the branches meet";
+
+/// What a register's value rests on.
+const HOLDS: &str = "a register holds what it was given";
 
 /// What the rule for accumulators rests on.
 const CLOSED_FORM: &str = "a loop adds its step once a pixel";
@@ -24,6 +27,8 @@ enum RealCase {
     Kept(RealId),
     /// The limit that a clamp puts in its place.
     Limit(RealId, f64),
+    /// What a register holds of several.
+    Held(RealId),
     /// The operand with the other sign.
     Negated(RealId),
 }
@@ -55,29 +60,29 @@ pub fn alternatives(
             if pairs.is_empty() {
                 return alternative([new().plain()]).into_iter().collect();
             }
-            let scripts = pairs.iter().map(|(path, real)| Some(new().case(path, *real)));
+            let scripts = pairs.iter().map(|(branch, real)| Some(new().case(*branch, *real)));
             alternative(scripts).into_iter().collect()
         }
     }
 }
 
-type Written = (Script, std::collections::BTreeSet<String>);
+type Written = (Vec<Script>, std::collections::BTreeSet<String>);
 
 fn alternative(scripts: impl IntoIterator<Item = Option<Written>>) -> Option<Alternative> {
     let mut of = Alternative { premises: Default::default(), cases: vec![] };
-    for (script, premises) in scripts.into_iter().flatten() {
+    for (scripts, premises) in scripts.into_iter().flatten() {
         of.premises.extend(premises);
-        of.cases.push(script);
+        of.cases.extend(scripts);
     }
-    of.cases.iter().any(|script| !script.goals.is_empty()).then_some(of)
+    (!of.cases.is_empty()).then_some(of)
 }
 
 /// Which branch the fixed-point and the real value take; none where there are no branches.
-fn cases(graph: &Graph, id: RealId, rule: &Rule) -> Vec<(Path, RealCase)> {
-    let paths = paths(graph, graph.real(id).value);
+fn cases(graph: &Graph, id: RealId, rule: &Rule) -> Vec<(Branch, RealCase)> {
+    let branches = branches(graph, graph.real(id).value);
     let each = |reals: &[RealCase]| {
-        let pair = |path: &Path| reals.iter().map(|&real| (path.clone(), real)).collect::<Vec<_>>();
-        paths.iter().flat_map(pair).collect()
+        let pair = |&branch: &Branch| reals.iter().map(move |&real| (branch, real));
+        branches.iter().flat_map(pair).collect()
     };
     match rule {
         Rule::ClampedBelow(a, limit) | Rule::ClampedAbove(a, limit) => {
@@ -85,16 +90,32 @@ fn cases(graph: &Graph, id: RealId, rule: &Rule) -> Vec<(Path, RealCase)> {
         }
         Rule::Absolute(a) => each(&[RealCase::Kept(*a), RealCase::Negated(*a)]),
         Rule::Choice(a, b) => {
-            let taken = |path: Path| match path.first() {
-                Some((_, true)) => vec![(path, RealCase::Kept(*a))],
-                Some((_, false)) => vec![(path, RealCase::Kept(*b))],
-                None => [a, b].map(|of| (path.clone(), RealCase::Kept(*of))).into(),
+            let taken = |&branch: &Branch| match branch {
+                Some((_, true)) => vec![(branch, RealCase::Kept(*a))],
+                Some((_, false)) => vec![(branch, RealCase::Kept(*b))],
+                None => taken_always(graph, id, [*a, *b]).map(|of| (branch, of)).collect(),
             };
-            paths.into_iter().flat_map(taken).collect()
+            branches.iter().flat_map(taken).collect()
         }
-        Rule::AnyOf(all) => each(&all.iter().map(|&of| RealCase::Kept(of)).collect::<Vec<_>>()),
+        Rule::AnyOf(all) => all.iter().map(|&of| (None, RealCase::Kept(of))).collect(),
         _ => vec![],
     }
+}
+
+/// Of a choice that is always the same the branch that it is; of a register that holds either, both.
+fn taken_always(graph: &Graph, id: RealId, of: [RealId; 2]) -> impl Iterator<Item = RealCase> {
+    let raw = |id: RealId| {
+        let value = graph.real(id).value;
+        (graph.value(value).op.constant(), value)
+    };
+    let is_same = |of: &RealId| match (raw(id), raw(*of)) {
+        ((Some(a), _), (Some(b), _)) => a == b,
+        ((_, a), (_, b)) => a == b,
+    };
+    let same = of.iter().copied().find(is_same);
+    let both = of.into_iter().filter(move |&of| same.is_none_or(|same| of == same));
+    let is_held = graph.is_state(graph.value(graph.real(id).value));
+    both.map(move |of| if is_held { RealCase::Held(of) } else { RealCase::Kept(of) })
 }
 
 impl Writer<'_> {
@@ -138,13 +159,18 @@ impl Writer<'_> {
     }
 
     /// One branch each of the fixed-point and of the real value.
-    fn case(mut self, path: &Path, real_case: RealCase) -> Written {
+    fn case(mut self, branch: Branch, real_case: RealCase) -> Written {
         let goal = self.goal;
         let node = self.graph.real(goal).value;
         let at = i64::from(self.graph.value(node).fraction_bits)
             - i64::from(self.graph.real(goal).fraction_bits);
-        let fixed = self.along(node, path);
-        let fixed = self.moved(fixed, at);
+        let fixed = match real_case {
+            RealCase::Held(of) => self.fixed_of(of),
+            _ => {
+                let fixed = self.in_branch(node, branch);
+                self.moved(fixed, at)
+            }
+        };
         let fixed = self.define('F', "taken", fixed);
         let real = self.branch_of_real(real_case, &fixed);
         let goals = [self.case_range_goal(node, &fixed), Some(self.error_goal(&fixed, &real))];
@@ -153,7 +179,8 @@ impl Writer<'_> {
     }
 
     fn branch_of_real(&mut self, case: RealCase, taken: &str) -> String {
-        let (RealCase::Kept(of) | RealCase::Limit(of, _) | RealCase::Negated(of)) = case;
+        let (RealCase::Kept(of) | RealCase::Limit(of, _) | RealCase::Negated(of) | RealCase::Held(of)) =
+            case;
         let real = self.real(of);
         let fixed = self.fixed_of(of);
         let rule = &self.graph.real(self.goal).rule;
@@ -189,6 +216,10 @@ impl Writer<'_> {
                 self.suppose(format!("{real} <= 0"));
                 self.hint(&fixed, &format!("({fixed} - {real}) + {real}"));
                 self.define('R', "negated", format!("0 - {real}"))
+            }
+            (RealCase::Held(_), _) => {
+                self.premises.insert(HOLDS.to_owned());
+                real
             }
             (RealCase::Kept(_), Rule::Choice(..)) => {
                 self.premises.insert(SAME_CHOICE.to_owned());

@@ -1,9 +1,22 @@
 //! What the operators compute, as expressions.
-use specula_datapath::design::{NodeId, Op};
-use specula_datapath::graph::RealId;
+use specula_datapath::design::{Assumption, NodeId, Op};
+use specula_datapath::graph::{Graph, RealId};
 
 use super::number;
 use super::script::{Writer, literal};
+
+/// Factors in the order in which both fixed-point and real products have them, since Gappa compares
+/// them factor by factor: where operators are folded a constant comes last.
+pub fn constants_last<T: Copy>(graph: &Graph, [a, b]: [T; 2], node: impl Fn(T) -> NodeId) -> [T; 2] {
+    if graph.is_constant(node(a)) { [b, a] } else { [a, b] }
+}
+
+/// The fact by which a value has fewer bits than its operand.
+pub fn assumption(graph: &Graph, id: NodeId) -> Option<&Assumption> {
+    let value = graph.value(id);
+    let Op::Wrap(of) = value.op else { return None };
+    graph.assumptions.iter().find(|stated| stated.node == of && stated.range == value.range)
+}
 
 impl Writer<'_> {
     /// The fixed-point value that stands for a real one.
@@ -67,8 +80,7 @@ impl Writer<'_> {
         if is_goal || !self.is_inside(id) {
             return;
         }
-        let stated = graph.assumptions.iter().find(|assumption| assumption.node == id);
-        if let Some(stated) = stated {
+        if let Some(stated) = assumption(graph, id) {
             let at = -i64::from(value.fraction_bits);
             let [low, high] =
                 [stated.range.low, stated.range.high].map(|raw| number::scaled(raw, at));
@@ -92,7 +104,7 @@ impl Writer<'_> {
                 Some(format!("{a} - {b}"))
             }
             Op::Mul(a, b) => {
-                let [x, y] = [a, b].map(|operand| self.fixed(operand));
+                let [x, y] = constants_last(graph, [a, b], |id| id).map(|of| self.fixed(of));
                 let bits = |id: NodeId| i64::from(graph.value(id).fraction_bits);
                 Some(self.moved(format!("{x} * {y}"), bits(a) + bits(b) - bits(id)))
             }
@@ -110,7 +122,7 @@ impl Writer<'_> {
             }
             Op::Wrap(a) => {
                 let (inner, outer) = (graph.value(a).range, value.range);
-                let is_kept = outer.hull(inner) == outer || self.is_assumed(id);
+                let is_kept = outer.hull(inner) == outer || assumption(graph, id).is_some();
                 is_kept.then(|| self.with_point(a, id, 0))
             }
             Op::Or(high, low) => {
@@ -126,10 +138,6 @@ impl Writer<'_> {
 
     fn is_goal(&self, id: NodeId) -> bool {
         self.graph.real(self.goal).value == id
-    }
-
-    fn is_assumed(&self, id: NodeId) -> bool {
-        self.graph.assumptions.iter().any(|assumption| assumption.node == id)
     }
 
     /// What `floor((floor(x / 2^(d-1)) + 1) / 2)` rounds to nearest, ties up, and d: it is
@@ -153,7 +161,7 @@ impl Writer<'_> {
     }
 
     /// The raw value of `operand` times 2^`shift`, as a value with the point where `of` has it.
-    fn with_point(&mut self, operand: NodeId, of: NodeId, shift: i64) -> String {
+    pub fn with_point(&mut self, operand: NodeId, of: NodeId, shift: i64) -> String {
         let bits = |id: NodeId| i64::from(self.graph.value(id).fraction_bits);
         let moves = bits(operand) - bits(of) + shift;
         let value = self.fixed(operand);

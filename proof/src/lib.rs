@@ -117,8 +117,32 @@ pub struct Question {
 /// The questions about a graph, in the order of its real values.
 pub fn questions(graph: &Graph, detail: Detail) -> Vec<Question> {
     let bounds = bounds(graph);
-    let asked = select::asked(graph);
-    asked.into_iter().map(|real| question(graph, &bounds, real, detail)).collect()
+    let asked = select::asked(graph).into_iter();
+    let all = asked.map(|(real, is_used)| {
+        let question = question(graph, &bounds, real, detail);
+        if is_used { question } else { question.about_range() }
+    });
+    all.filter(|question| question.fact.is_some() || !question.alternatives.is_empty()).collect()
+}
+
+impl Question {
+    /// The part of it that is about the range.
+    fn about_range(self) -> Question {
+        let is_range = |about: About| about == About::Range;
+        let alternatives = self.alternatives.into_iter().filter_map(Alternative::about_range);
+        let fact = self.fact.filter(|fact| is_range(fact.about));
+        Question { alternatives: alternatives.collect(), fact, ..self }
+    }
+}
+
+impl Alternative {
+    fn about_range(mut self) -> Option<Alternative> {
+        for script in &mut self.cases {
+            script.goals.retain(|goal| goal.about == About::Range);
+        }
+        self.cases.retain(|script| !script.goals.is_empty());
+        (!self.cases.is_empty()).then_some(self)
+    }
 }
 
 fn question(graph: &Graph, bounds: &Bounds, id: RealId, detail: Detail) -> Question {

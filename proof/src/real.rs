@@ -1,8 +1,12 @@
 //! What the formula says, as expressions of real values.
 use specula_datapath::graph::{RealId, Rule};
 
+use super::fixed::constants_last;
 use super::script::{Writer, interval, literal};
 use super::{Detail, number};
+
+/// 1 as a number of a script.
+const ONE: &str = "1b0";
 
 impl Writer<'_> {
     /// The real value.
@@ -73,7 +77,10 @@ impl Writer<'_> {
             }
             Rule::Sum(a, b) => self.binary('+', *a, *b),
             Rule::Difference(a, b) => self.binary('-', *a, *b),
-            Rule::Product(a, b) => self.binary('*', *a, *b),
+            Rule::Product(a, b) => {
+                let [a, b] = constants_last(graph, [*a, *b], |id| graph.real(id).value);
+                self.binary('*', a, b)
+            }
             Rule::Square(a) => self.binary('*', *a, *a),
             Rule::Tightened { of, bound, proof } => {
                 let of = self.real(*of);
@@ -98,9 +105,14 @@ impl Writer<'_> {
         self.define('R', &graph.value(real.value).name, expression)
     }
 
+    /// An operator's expression. What is 0 or 1 exactly is left out, as it is where operators are folded.
     fn binary(&mut self, operator: char, a: RealId, b: RealId) -> String {
         let [a, b] = [a, b].map(|operand| self.real(operand));
-        format!("{a} {operator} {b}")
+        match (a.as_str(), operator, b.as_str()) {
+            ("0", '+', _) | (ONE, '*', _) | (_, '*', "0") => b,
+            (_, '+' | '-', "0") | (_, '*', ONE) | ("0", '*', _) => a,
+            _ => format!("{a} {operator} {b}"),
+        }
     }
 
     fn within(&mut self, name: &str, real: specula_datapath::bound::Interval) {

@@ -7,7 +7,7 @@ use specula_datapath::design::{NodeId, ScopeId};
 use specula_datapath::graph::{Graph, RealId};
 use specula_datapath::pass::Bounds;
 
-use super::{Detail, Goal, number};
+use super::{About, Detail, Goal, number};
 
 /// What Gappa is given.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -126,8 +126,7 @@ impl<'a> Writer<'a> {
 
     /// The goal with a name for its expression, under which Gappa prints what it finds.
     pub fn named_goal(&mut self, goal: Goal) -> Goal {
-        if goal.expression.starts_with(|c: char| c.is_ascii_alphabetic()) && is_atom(&goal.expression)
-        {
+        if is_atom(&goal.expression) && !is_literal(&goal.expression) {
             return goal;
         }
         let name = self.name('G', goal.about.word());
@@ -154,14 +153,33 @@ impl<'a> Writer<'a> {
         self.script.hints.push(format!("{from} -> {to}"));
     }
 
-    pub fn finish(self, goals: Vec<Goal>) -> Script {
-        Script { goals, ..self.script }
+    /// The script with these goals; one about the real value is a script of its own, with the others as
+    /// hypotheses.
+    pub fn finish(self, goals: Vec<Goal>) -> Vec<Script> {
+        let (real, others): (Vec<Goal>, Vec<Goal>) =
+            goals.into_iter().partition(|goal| goal.about == About::Real);
+        let mut scripts = vec![];
+        if !real.is_empty() {
+            let mut script = Script { goals: real, ..self.script.clone() };
+            let stated = |goal: &Goal| format!("{} in {}", goal.expression, interval(goal.stated));
+            script.hypotheses.extend(others.iter().map(stated));
+            scripts.push(script);
+        }
+        if !others.is_empty() {
+            scripts.push(Script { goals: others, ..self.script });
+        }
+        scripts
     }
 }
 
 /// Whether an expression is a name or a number: operators have blanks around them.
 fn is_atom(expression: &str) -> bool {
     !expression.contains([' ', '<'])
+}
+
+/// Whether an expression is a number.
+pub fn is_literal(expression: &str) -> bool {
+    is_atom(expression) && !expression.starts_with(|c: char| c.is_ascii_alphabetic())
 }
 
 /// A number as a part of an expression.

@@ -1,56 +1,49 @@
 //! Branches of the fixed-point value: multiplexers, and what their bits say.
-use specula_datapath::design::{NodeId, Op, ScopeId};
+use specula_datapath::design::{NodeId, Op};
 use specula_datapath::graph::Graph;
 
 use crate::number;
 use super::Writer;
 
-/// The multiplexers on the way to a value, and which operand each takes.
-pub type Path = Vec<(NodeId, bool)>;
+/// The multiplexer that a value comes from, if it does, and which operand it takes.
+pub type Branch = Option<(NodeId, bool)>;
 
-/// The most multiplexers behind one another that are followed.
-const DEEPEST: usize = 3;
-
-/// Every way to a value through the multiplexers of its unit; one without any where there are none.
-pub fn paths(graph: &Graph, id: NodeId) -> Vec<Path> {
-    ways(graph, graph.value(id).scope, id, DEEPEST)
+/// Both branches of a value that a multiplexer of its unit gives, and else the value as it is.
+pub fn branches(graph: &Graph, id: NodeId) -> Vec<Branch> {
+    match multiplexer(graph, id) {
+        Some(select) => vec![Some((select, true)), Some((select, false))],
+        None => vec![None],
+    }
 }
 
-fn ways(graph: &Graph, scope: ScopeId, id: NodeId, deep: usize) -> Vec<Path> {
+fn multiplexer(graph: &Graph, id: NodeId) -> Option<NodeId> {
     let value = graph.value(id);
-    if value.scope != scope || graph.is_state(value) || deep == 0 {
-        return vec![vec![]];
-    }
     match value.op {
-        Op::Copy(a) | Op::Wrap(a) => ways(graph, scope, a, deep),
-        Op::Select(_, yes, no) => {
-            let taken = |bit: bool, of: NodeId| {
-                let rest = ways(graph, scope, of, deep - 1).into_iter();
-                rest.map(move |rest| [vec![(id, bit)], rest].concat())
-            };
-            taken(true, yes).chain(taken(false, no)).collect()
-        }
-        _ => vec![vec![]],
+        _ if graph.is_state(value) => None,
+        Op::Select(..) => Some(id),
+        Op::Copy(a) | Op::Wrap(a) if graph.value(a).scope == value.scope => multiplexer(graph, a),
+        _ => None,
     }
 }
 
 impl Writer<'_> {
-    /// The value on a way through multiplexers, with what their bits say as hypotheses. Whether it
-    /// fits the bits that a clamp keeps is what the goal about its range says.
-    pub fn along(&mut self, id: NodeId, path: &[(NodeId, bool)]) -> String {
+    /// The value in a branch, with what the multiplexer's bit says as hypotheses. Whether it fits the
+    /// bits that a clamp keeps is what the goal about its range says.
+    pub fn in_branch(&mut self, id: NodeId, branch: Branch) -> String {
         let graph = self.graph;
-        let Some(((select, bit), rest)) = path.split_first() else { return self.fixed(id) };
-        let (value, bits) = (graph.value(id), |id: NodeId| graph.value(id).fraction_bits);
-        let (operand, rest) = match value.op {
-            Op::Copy(a) | Op::Wrap(a) => (a, path),
-            Op::Select(condition, yes, no) if id == *select => {
-                self.say(condition, *bit);
-                (if *bit { yes } else { no }, rest)
+        let Some((select, bit)) = branch else { return self.fixed(id) };
+        let operand = match graph.value(id).op {
+            Op::Select(condition, yes, no) if id == select => {
+                self.say(condition, bit);
+                let taken = if bit { yes } else { no };
+                return self.with_point(taken, id, 0);
             }
+            Op::Copy(a) | Op::Wrap(a) => a,
             _ => return self.fixed(id),
         };
-        let taken = self.along(operand, rest);
-        self.moved(taken, i64::from(bits(operand)) - i64::from(bits(id)))
+        let taken = self.in_branch(operand, branch);
+        let bits = |id: NodeId| i64::from(graph.value(id).fraction_bits);
+        self.moved(taken, bits(operand) - bits(id))
     }
 
     /// What a bit says where it is known.

@@ -1,7 +1,8 @@
 //! Dot products, of which more is known than of a sum of three products.
-use specula_datapath::graph::{RealId, Rule};
+use specula_datapath::graph::{Graph, RealId, Rule, VectorId, VectorRule};
 
 use super::{Writer, Written};
+use crate::number;
 
 /// What intervals cannot see.
 const CAUCHY_SCHWARZ: &str = "Cauchy and Schwarz: |a.b| <= |a||b|";
@@ -11,8 +12,20 @@ impl Writer<'_> {
     pub fn sum_of_products(mut self, of: RealId) -> Written {
         let fixed = self.fixed_of(self.goal);
         let real = self.real(of);
+        self.no_shorter(&real);
         let goals = [Some(self.error_goal(&fixed, &real)), self.real_goal(&real)];
         self.written(goals.into_iter().flatten().collect())
+    }
+
+    /// A squared length is no smaller than that of the shortest vector that there is by a fact.
+    fn no_shorter(&mut self, real: &str) {
+        let graph = self.graph;
+        let Rule::DotProduct { vectors: [a, b], .. } = graph.real(self.goal).rule else { return };
+        let shortest = self.bounds.of_vector(graph, a).shortest;
+        if a == b && shortest > 0.0 {
+            self.suppose(format!("{real} >= {}", number::of(shortest * shortest)));
+            self.premises.insert(facts_of_length(graph, a).join(", "));
+        }
     }
 
     /// As a product of vectors, whose errors are known as wholes:
@@ -43,5 +56,15 @@ impl Writer<'_> {
         self.premises.insert(CAUCHY_SCHWARZ.to_owned());
         let goal = self.error_goal(&fixed, &real);
         self.written(vec![goal])
+    }
+}
+
+/// The facts by which a vector is no shorter than it is said to be.
+fn facts_of_length(graph: &Graph, id: VectorId) -> Vec<String> {
+    let vector = &graph.vectors[id.0 as usize];
+    let below = || vector.rule.operands().into_iter().flat_map(|of| facts_of_length(graph, of));
+    match &vector.rule {
+        VectorRule::NoShorter { fact, .. } => vec![fact.clone()],
+        _ => below().collect(),
     }
 }
