@@ -3,7 +3,7 @@ mod branch;
 mod dot;
 
 use specula_datapath::bound::Interval;
-use specula_datapath::design::NodeId;
+use specula_datapath::design::{NodeId, Op};
 use specula_datapath::graph::{Graph, RealId, Rule};
 use specula_datapath::pass::Bounds;
 
@@ -79,7 +79,10 @@ fn alternative(scripts: impl IntoIterator<Item = Option<Written>>) -> Option<Alt
 
 /// Which branch the fixed-point and the real value take; none where there are no branches.
 fn cases(graph: &Graph, id: RealId, rule: &Rule) -> Vec<(Branch, RealCase)> {
-    let branches = branches(graph, graph.real(id).value);
+    let node = graph.real(id).value;
+    // Where a clamp or an absolute value never does anything, its value is its operand's.
+    let is_operand = rule.operands().iter().any(|&of| graph.real(of).value == node);
+    let branches = if is_operand { vec![None] } else { branches(graph, node) };
     let each = |reals: &[RealCase]| {
         let pair = |&branch: &Branch| reals.iter().map(move |&real| (branch, real));
         branches.iter().flat_map(pair).collect()
@@ -105,7 +108,7 @@ fn cases(graph: &Graph, id: RealId, rule: &Rule) -> Vec<(Branch, RealCase)> {
 /// Of a choice that is always the same the branch that it is; of a register that holds either, both.
 fn taken_always(graph: &Graph, id: RealId, of: [RealId; 2]) -> impl Iterator<Item = RealCase> {
     let raw = |id: RealId| {
-        let value = graph.real(id).value;
+        let value = source(graph, graph.real(id).value);
         (graph.value(value).op.constant(), value)
     };
     let is_same = |of: &RealId| match (raw(id), raw(*of)) {
@@ -116,6 +119,15 @@ fn taken_always(graph: &Graph, id: RealId, of: [RealId; 2]) -> impl Iterator<Ite
     let both = of.into_iter().filter(move |&of| same.is_none_or(|same| of == same));
     let is_held = graph.is_state(graph.value(graph.real(id).value));
     both.map(move |of| if is_held { RealCase::Held(of) } else { RealCase::Kept(of) })
+}
+
+/// What a value is a copy of, more bits at the right or not.
+fn source(graph: &Graph, id: NodeId) -> NodeId {
+    let value = graph.value(id);
+    match value.op {
+        Op::Copy(of) | Op::ShiftLeft(of, _) if !graph.is_state(value) => source(graph, of),
+        _ => id,
+    }
 }
 
 impl Writer<'_> {

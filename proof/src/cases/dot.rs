@@ -2,7 +2,9 @@
 use specula_datapath::graph::{Graph, RealId, Rule, VectorId, VectorRule};
 
 use super::{Writer, Written};
+use crate::fixed::constants_last;
 use crate::number;
+use crate::real::combined;
 
 /// What intervals cannot see.
 const CAUCHY_SCHWARZ: &str = "Cauchy and Schwarz: |a.b| <= |a||b|";
@@ -39,12 +41,14 @@ impl Writer<'_> {
             return self.written(vec![]);
         };
         let fixed = self.fixed_of(self.goal);
-        let components = vectors.map(|vector| {
-            graph.vectors[vector.0 as usize].components.map(|component| self.fixed_of(component))
-        });
-        let products = components[0].iter().zip(&components[1]);
-        let products: Vec<String> = products.map(|(a, b)| format!("({a}) * ({b})")).collect();
-        let exact = self.define('F', "exact", products.join(" + "));
+        let [left, right] = vectors.map(|vector| graph.vectors[vector.0 as usize].components);
+        let mut exact = "0".to_owned();
+        for (&a, &b) in left.iter().zip(&right) {
+            let factors = constants_last(graph, [a, b], |id| graph.real(id).value);
+            let [a, b] = factors.map(|id| self.fixed_of(id));
+            let product = self.define('F', "exact", combined('*', &a, &b));
+            exact = self.define('F', "exact", combined('+', &exact, &product));
+        }
         let error = |of: usize| self.bounds.of_vector(graph, vectors[of]).error.length;
         let [a, b, e_a, e_b] =
             [lengths[0], lengths[1], error(0), error(1)].map(|number| self.number(number));
