@@ -41,20 +41,16 @@ pub struct Outcome {
     pub premises: BTreeSet<String>,
 }
 
-/// What came of a question.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Answered {
-    /// The goals that it has, and those that a fact states.
-    pub outcomes: Vec<Outcome>,
-}
-
 /// Asks a question; `finer` is the same one parted at each narrowing, for what Gappa does not prove
 /// of it.
+///
+/// # Errors
+/// [`ProofError`] if Gappa cannot be run.
 pub fn answered(
     question: &Question,
     finer: &Question,
     limit: Duration,
-) -> Result<Answered, ProofError> {
+) -> Result<Vec<Outcome>, ProofError> {
     let mut outcomes = best_of(question, &question.alternatives, limit)?;
     if outcomes.iter().any(|outcome| outcome.standing >= Standing::TimedOut) {
         for other in best_of(finer, &finer.alternatives, limit)? {
@@ -65,7 +61,7 @@ pub fn answered(
         by_fact(question, &fact.name, fact.about, &mut outcomes);
     }
     outcomes.sort_by_key(|outcome| outcome.about);
-    Ok(Answered { outcomes })
+    Ok(outcomes)
 }
 
 fn best_of(
@@ -146,9 +142,7 @@ fn of_goal(
     }
     let rounded = Goal { stated: enlarged(goal.stated), ..goal.clone() };
     let mut standing = Standing::Unproven;
-    for (goal, proven) in
-        [(goal, Standing::Proven), (&rounded, Standing::ProvenWhenRounded)]
-    {
+    for (goal, proven) in [(goal, Standing::Proven), (&rounded, Standing::ProvenWhenRounded)] {
         match asked(&script.stated(std::slice::from_ref(goal)), limit)? {
             Answer::Proven(_) => return Ok((proven, found)),
             Answer::TimedOut => standing = Standing::TimedOut,

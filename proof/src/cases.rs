@@ -52,9 +52,7 @@ pub fn alternatives(
             let whole = new().dot_product();
             [alternative([Some(sum)]), alternative([Some(whole)])].into_iter().flatten().collect()
         }
-        Rule::Remainder(of) => {
-            alternative([Some(new().remainder(*of))]).into_iter().collect()
-        }
+        Rule::Remainder(of) => alternative([Some(new().remainder(*of))]).into_iter().collect(),
         rule => {
             let pairs = cases(graph, id, rule);
             if pairs.is_empty() {
@@ -191,8 +189,10 @@ impl Writer<'_> {
     }
 
     fn branch_of_real(&mut self, case: RealCase, taken: &str) -> String {
-        let (RealCase::Kept(of) | RealCase::Limit(of, _) | RealCase::Negated(of) | RealCase::Held(of)) =
-            case;
+        let (RealCase::Kept(of)
+        | RealCase::Limit(of, _)
+        | RealCase::Negated(of)
+        | RealCase::Held(of)) = case;
         let real = self.real(of);
         let fixed = self.fixed_of(of);
         let rule = &self.graph.real(self.goal).rule;

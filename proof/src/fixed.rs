@@ -7,7 +7,11 @@ use super::script::{Writer, literal};
 
 /// Factors in the order in which both fixed-point and real products have them, since Gappa compares
 /// them factor by factor: where operators are folded a constant comes last.
-pub fn constants_last<T: Copy>(graph: &Graph, [a, b]: [T; 2], node: impl Fn(T) -> NodeId) -> [T; 2] {
+pub fn constants_last<T: Copy>(
+    graph: &Graph,
+    [a, b]: [T; 2],
+    node: impl Fn(T) -> NodeId,
+) -> [T; 2] {
     if graph.is_constant(node(a)) { [b, a] } else { [a, b] }
 }
 
@@ -35,9 +39,7 @@ impl Writer<'_> {
         let graph = self.graph;
         let value = graph.value(id);
         let expression = match value.op.constant() {
-            Some(raw) => {
-                Some(literal(number::scaled(raw, -i64::from(value.fraction_bits))))
-            }
+            Some(raw) => Some(literal(number::scaled(raw, -i64::from(value.fraction_bits)))),
             None if self.is_inside(id) => self.operator(id),
             None => None,
         };
@@ -61,8 +63,7 @@ impl Writer<'_> {
         let value = self.graph.value(id);
         let name = self.name('F', &value.name);
         let at = -i64::from(value.fraction_bits);
-        let [low, high] =
-            [value.range.low, value.range.high].map(|raw| number::scaled(raw, at));
+        let [low, high] = [value.range.low, value.range.high].map(|raw| number::scaled(raw, at));
         self.suppose(format!("{name} in [{low}, {high}]"));
         self.suppose(format!("@FIX({name}, {at})"));
         name
@@ -73,10 +74,9 @@ impl Writer<'_> {
         let graph = self.graph;
         let value = graph.value(id);
         let goal = graph.real(self.goal);
-        let is_goal =
-            goal.value == id && super::select::fact(graph, self.goal).is_some_and(|fact| {
-                fact.about == super::About::Range
-            });
+        let is_goal = goal.value == id
+            && super::select::fact(graph, self.goal)
+                .is_some_and(|fact| fact.about == super::About::Range);
         if is_goal || !self.is_inside(id) {
             return;
         }
@@ -153,7 +153,9 @@ impl Writer<'_> {
         let is_inside = self.is_inside(sum) && self.is_inside(kept);
         match point.op {
             Op::ShiftRight(x, dropped) if is_inside => Some((x, dropped + 1)),
-            _ if point.range.plus(specula_datapath::design::Range::single(1)) == of_sum.range.into() => {
+            _ if point.range.plus(specula_datapath::design::Range::single(1))
+                == of_sum.range.into() =>
+            {
                 Some((kept, 1))
             }
             _ => None,

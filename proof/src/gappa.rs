@@ -5,8 +5,8 @@ use std::process::{Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use specula_datapath::bound::Interval;
 use crate::ProofError;
+use specula_datapath::bound::Interval;
 
 /// The program.
 pub const COMMAND: &str = "gappa";
@@ -119,6 +119,9 @@ mod tests {
         let expected = [("x", -0.625, -0.00390625), ("y", -1.0, 1.0)]
             .map(|(name, low, high)| (name.to_owned(), Interval::new(low, high)));
         assert_eq!(found(text), BTreeMap::from(expected));
-        assert_eq!(found("Error: some properties were not satisfied:\n  BND(x), best: [0, inf]"), BTreeMap::new());
+        assert_eq!(
+            found("Error: some properties were not satisfied:\n  BND(x), best: [0, inf]"),
+            BTreeMap::new()
+        );
     }
 }

@@ -24,12 +24,15 @@ mod script;
 mod select;
 
 use std::collections::BTreeSet;
+use std::time::Duration;
+
+use rayon::prelude::*;
 
 use specula_datapath::bound::{Bound, Interval};
 use specula_datapath::graph::{Graph, RealId};
 use specula_datapath::pass::{Bounds, bounds};
 
-pub use answer::{Answered, Outcome, ROUNDING, Standing, answered};
+pub use answer::{Outcome, ROUNDING, Standing, answered};
 pub use error::ProofError;
 pub use script::Script;
 
@@ -112,6 +115,20 @@ pub struct Question {
     pub fact: Option<Fact>,
     /// Ways to prove it, of which one is enough; none where there is nothing for Gappa to see.
     pub alternatives: Vec<Alternative>,
+}
+
+/// Asks Gappa everything that there is to ask about a graph, at most so long for a goal.
+///
+/// # Errors
+/// [`ProofError`] if Gappa cannot be run.
+pub fn prove(graph: &Graph, limit: Duration) -> Result<Vec<(Question, Vec<Outcome>)>, ProofError> {
+    let [whole, finer] = [Detail::Unit, Detail::Narrowings].map(|detail| questions(graph, detail));
+    let pairs: Vec<(Question, Question)> = whole.into_iter().zip(finer).collect();
+    let ask = |(question, finer): (Question, Question)| {
+        let outcomes = answered(&question, &finer, limit)?;
+        Ok((question, outcomes))
+    };
+    pairs.into_par_iter().map(ask).collect()
 }
 
 /// The questions about a graph, in the order of its real values.

@@ -23,11 +23,8 @@ impl Writer<'_> {
         if let Some(known) = self.reals.get(&id) {
             return known.clone();
         }
-        let name = if id != self.goal && self.is_parted(id) {
-            self.given(id)
-        } else {
-            self.by_rule(id)
-        };
+        let name =
+            if id != self.goal && self.is_parted(id) { self.given(id) } else { self.by_rule(id) };
         self.reals.insert(id, name.clone());
         name
     }

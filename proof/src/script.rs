@@ -81,12 +81,7 @@ pub struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    pub fn new(
-        graph: &'a Graph,
-        bounds: &'a Bounds,
-        goal: RealId,
-        detail: Detail,
-    ) -> Writer<'a> {
+    pub fn new(graph: &'a Graph, bounds: &'a Bounds, goal: RealId, detail: Detail) -> Writer<'a> {
         Writer {
             graph,
             bounds,

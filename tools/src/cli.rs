@@ -8,8 +8,8 @@ use crate::output::Interrupts;
 use crate::verdict::Verdict;
 use crate::{
     cmd_bench, cmd_compare, cmd_completions, cmd_explore, cmd_generate, cmd_manual, cmd_methods,
-    cmd_needs, cmd_new, cmd_prove, cmd_reproduce, cmd_run, cmd_scenes, cmd_schedule, cmd_stress, cmd_synth,
-    cmd_wave,
+    cmd_needs, cmd_new, cmd_prove, cmd_reproduce, cmd_run, cmd_scenes, cmd_schedule, cmd_stress,
+    cmd_synth, cmd_wave,
 };
 
 const EXAMPLES: &str = "\

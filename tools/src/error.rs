@@ -11,6 +11,7 @@ use specula_experiments::search::NotFound;
 use specula_experiments::tradeoff::{JournalError, SweepError};
 use specula_flow::stream::Stuck;
 use specula_flow::synth::SynthError;
+use specula_proof::ProofError;
 use specula_scene::SceneError;
 use specula_spec::{CoreError, SpecError};
 use specula_testbench::BenchError;
@@ -52,15 +53,9 @@ pub enum ToolError {
         known: String,
     },
     /// Gappa cannot be asked.
-    #[error("Gappa gives no answer: {what}")]
-    #[diagnostic(
-        code(specula::prove::gappa),
-        help("if it is a script that is wrong, this is a fault of Specula's: please report it with the command")
-    )]
-    Gappa {
-        /// What is wrong.
-        what: String,
-    },
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Proof(#[from] ProofError),
     /// No core is as exact as the user asked for.
     #[error(transparent)]
     #[diagnostic(transparent)]

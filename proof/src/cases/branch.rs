@@ -2,8 +2,8 @@
 use specula_datapath::design::{NodeId, Op};
 use specula_datapath::graph::Graph;
 
-use crate::number;
 use super::Writer;
+use crate::number;
 
 /// The multiplexer that a value comes from, if it does, and which operand it takes.
 pub type Branch = Option<(NodeId, bool)>;

@@ -7,7 +7,7 @@ use crate::number;
 use crate::real::combined;
 
 /// What intervals cannot see.
-const CAUCHY_SCHWARZ: &str = "Cauchy and Schwarz: |a.b| <= |a||b|";
+const CAUCHY_SCHWARZ: &str = "Cauchy and Schwarz, of vectors' errors as wholes";
 
 impl Writer<'_> {
     /// As the sum of products that it is.
