@@ -33,6 +33,11 @@ impl Script {
         self.with_goals(goals.iter().map(|goal| format!("{} in ?", goal.expression)))
     }
 
+    /// Whether anything is supposed in it.
+    pub fn has_hypotheses(&self) -> bool {
+        !self.hypotheses.is_empty()
+    }
+
     fn with_goals(&self, goals: impl Iterator<Item = String>) -> String {
         let mut text = String::new();
         // Writing to a String cannot fail.

@@ -39,7 +39,8 @@ fn is_given(graph: &Graph, id: RealId) -> bool {
 }
 
 /// What is reached from some real values by what rules depend on. Behind a proof that stands for rules
-/// it is what enters the unit, which the proof is about, if `proofs` are asked about.
+/// it is what enters the unit, which the proof is about, if `proofs` are asked about; of the core
+/// itself, what the rules would depend on.
 fn reached(graph: &Graph, mut open: Vec<RealId>, proofs: bool) -> BTreeSet<RealId> {
     let entering = entering(graph);
     let mut reached = BTreeSet::new();
@@ -50,8 +51,10 @@ fn reached(graph: &Graph, mut open: Vec<RealId>, proofs: bool) -> BTreeSet<RealI
         let rule = &graph.real(id).rule;
         if proofs && matches!(rule, Rule::Overridden { .. }) {
             let scope = graph.value(graph.real(id).value).scope;
-            open.extend(entering.get(&scope).into_iter().flatten());
-            continue;
+            if graph.unit(scope).parent.is_some() {
+                open.extend(entering.get(&scope).into_iter().flatten());
+                continue;
+            }
         }
         open.extend(rule.operands());
         for &vector in rule.vectors() {

@@ -23,12 +23,6 @@ impl Proven {
         })
     }
 
-    /// Number of goals about this that stand so.
-    pub fn count(&self, about: About, standing: Standing) -> usize {
-        let is_counted = |outcome: &Outcome| outcome.about == about && outcome.standing == standing;
-        self.outcomes().filter(|(_, outcome)| is_counted(outcome)).count()
-    }
-
     /// Names of files and the scripts that go into them.
     pub fn scripts(&self) -> Vec<(String, String)> {
         let mut scripts = vec![];
