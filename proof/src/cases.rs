@@ -210,13 +210,13 @@ impl Writer<'_> {
             (RealCase::Limit(_, limit), Rule::ClampedBelow(..)) => {
                 self.suppose(format!("{real} <= {}", number::of(limit)));
                 let limit = self.number(limit);
-                self.to_limit([taken, &real, &limit]);
+                self.beyond_limit([taken, &real, &limit]);
                 limit
             }
             (RealCase::Limit(_, limit), _) => {
                 self.suppose(format!("{real} >= {}", number::of(limit)));
                 let limit = self.number(limit);
-                self.to_limit([taken, &real, &limit]);
+                self.beyond_limit([taken, &real, &limit]);
                 limit
             }
             (RealCase::Kept(_), Rule::Absolute(_)) => {
@@ -250,7 +250,7 @@ impl Writer<'_> {
     }
 
     /// Where the real value is at the limit and the fixed one is not.
-    fn to_limit(&mut self, [taken, real, limit]: [&str; 3]) {
+    fn beyond_limit(&mut self, [taken, real, limit]: [&str; 3]) {
         if taken != limit {
             let by_way = format!("({taken} - {real}) + ({real} - {limit})");
             self.hint(&format!("{taken} - {limit}"), &by_way);

@@ -16,7 +16,7 @@ fn dot_product(proof: impl Fn(f64) -> f64) -> Graph {
     let format = Format::signed(0, 9);
     let vector = |name: &str| {
         let component = |axis: &str| {
-            let port = InputPort::whole(&format!("{name}_{axis}"), format);
+            let port = InputPort::whole(format!("{name}_{axis}"), format);
             builder.input(&InputPort {
                 real: specula_datapath::bound::Interval::new(-1.0, 1.0),
                 ..port
