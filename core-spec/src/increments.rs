@@ -1,5 +1,5 @@
-//! Vectors along a span, by what they change by over all of it or with each pixel [lecture, eq. 4.1
-//! and 4.2; Lyon, TR 43, fig. 6 and 7; methods B12].
+//! Vectors and scalars along a span, by what they change by over all of it or with each pixel
+//! [lecture, eq. 4.1 to 4.3; Lyon, TR 43, fig. 6 and 7; methods A6, B12].
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use specula_datapath::Format;
@@ -10,7 +10,7 @@ use crate::input_meaning::InputMeaning;
 use crate::narrowing::NarrowingPoint;
 use crate::shading_method::OptionDomain;
 
-/// What becomes of increments: how a vector N gets from one end of a span to the other.
+/// What becomes of increments: how a vector or scalar N gets from one end of a span to the other.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Increments {
@@ -26,9 +26,9 @@ impl Increments {
     pub(crate) const OPTION_DOMAIN: OptionDomain =
         OptionDomain { key: "increments", values: &["\"multiplied\"", "\"added\""] };
 
-    /// What it is, for people to read, where it is not the default.
-    pub(crate) fn option(self) -> Option<(&'static str, String)> {
-        let added = || ("increments", "added, N' = N' + dN with each pixel".to_owned());
+    /// What it is, for people to read, where it is not the default; `sum` is what is added up.
+    pub(crate) fn option(self, sum: &str) -> Option<(&'static str, String)> {
+        let added = || ("increments", format!("added, {sum} with each pixel"));
         (self == Increments::Added).then(added)
     }
 }

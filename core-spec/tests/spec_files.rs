@@ -43,9 +43,11 @@ fn a_core_is_read_as_it_is_written() {
 /// Files from before increments could be added are those of cores that multiply them.
 #[test]
 fn cores_that_say_nothing_of_increments_multiply_them() {
-    for (method, format) in
-        [(Method::Lyon, "normal_accumulator"), (Method::Phong, "vector_accumulator")]
-    {
+    for (method, format) in [
+        (Method::Lyon, "normal_accumulator"),
+        (Method::Phong, "vector_accumulator"),
+        (Method::Direct, "scalar_accumulator"),
+    ] {
         let file = SpecFile { name: "teapot".to_owned(), spec: core("teapot", Some(method)) };
         let text = file.text();
         let new = |line: &&str| line.starts_with("increments") || line.starts_with(format);

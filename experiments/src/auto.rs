@@ -186,7 +186,14 @@ fn pictures(scene: &LoadedScene) -> Result<Vec<ExactPicture>, specula_scene::Sce
     let frames = FRAMES.min(sequence.frames());
     let number = |k: u32| k * sequence.frames() / frames;
     let sample = |frame: &Frame| ExactPicture::new(sampled(frame, SAMPLE / u64::from(frames)));
-    (0..frames).map(|k| Ok(sample(&sequence.frame(number(k))?))).collect()
+    let all = (0..frames).map(|k| sequence.frame(number(k)));
+    let mut all: Vec<Frame> = all.collect::<Result<_, specula_scene::SceneError>>()?;
+    all.retain(|frame| !frame.spans.is_empty());
+    // Where something is visible for a few frames only, all of these may have missed it.
+    if all.is_empty() {
+        all.push(scene.frame.clone());
+    }
+    Ok(all.iter().map(sample).collect())
 }
 
 /// What methods are looked at with.

@@ -1,8 +1,8 @@
 //! Formats by proof.
 use specula_experiments::cost::{Cost, GENERIC_BLOCK};
 use specula_experiments::formats::{
-    DefaultCore, FAITHFUL, MARGIN, NotProven, Products, Proven, Wanted, cheapest_formats,
-    default_core,
+    DefaultCore, FAITHFUL, MARGIN, NotFaithful, NotProven, Products, Proven, Wanted,
+    cheapest_formats, default_core,
 };
 use specula_fixtures::each_method;
 use specula_scene::{Frame, LoadedScene, Needs, load};
@@ -156,7 +156,8 @@ fn a_core_that_cannot_be_proven_faithful_has_recommended_formats() {
     let coarse = coarse.specialised(&scene.frame);
     let core = default(&coarse, &["vector".to_owned()]);
     assert_eq!(core.spec, coarse);
-    let reason = core.not_faithful.unwrap();
+    let NotFaithful { reason, below } = core.not_faithful.unwrap();
+    assert_eq!(below, None);
     assert!(reason.reached > FAITHFUL && reason.below == FAITHFUL, "{reason}");
     assert!(reason.obstacle.starts_with("`vector` (") && reason.obstacle.contains("asked for"));
     // The same without a format that is named, and with all of them.
@@ -188,8 +189,8 @@ fn options_far_from_their_bounds_in_recommended_formats_are_faithful_by_default(
     }
 }
 
-/// The two that are not, since fraction bits end: a bound of a few LSB is as near as formats come, and
-/// can be asked for.
+/// The two that are not, since fraction bits end: a bound of a few LSB is as near as formats come, so
+/// that is what they have by default, and what can be asked for.
 #[test]
 fn two_options_come_near_to_faithful() {
     for (method, option, near) in [
@@ -197,8 +198,11 @@ fn two_options_come_near_to_faithful() {
         ("reflection", "specular = \"blinn\"", 1.4),
     ] {
         let (core, frame) = by_default(method, option);
-        let reached = core.not_faithful.expect("it is not faithful").reached;
-        assert!(reached > FAITHFUL && reached < near, "{method}: {reached}");
+        let NotFaithful { reason, below } = core.not_faithful.expect("it is not faithful");
+        assert!(reason.reached > FAITHFUL && reason.reached < near, "{method}: {reason}");
+        let below = below.expect("recommended formats have many times that bound");
+        let (bound, _) = elaborated(&core.spec);
+        assert!(bound < below && below < 1.2 * near, "{method}: {bound}, {below}");
         let (bound, _) = elaborated(&found(&core.spec, &frame, near).unwrap().spec);
         assert!(bound < near, "{method}: {bound}");
     }

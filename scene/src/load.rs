@@ -15,8 +15,10 @@ pub struct LoadedScene {
     /// digit at the beginning, so that it can be part of a file's or module's name; at most 48
     /// characters.
     pub name: String,
-    /// The frame to be shaded; of a scene that moves, the first one.
+    /// The frame to be shaded; of a scene that moves, the first one in which something is visible.
     pub frame: Frame,
+    /// Its number among the frames of a scene that moves, counted from 0.
+    pub number: u32,
     /// All frames, if the scene moves.
     pub sequence: Option<Sequence>,
     /// The curved surfaces that objects represent, where they are known: one for each of the
@@ -29,6 +31,11 @@ pub struct LoadedScene {
 }
 
 impl LoadedScene {
+    fn new(name: &str, view: View, core: Option<CoreTable>, warnings: Vec<Warning>) -> LoadedScene {
+        let View { frame, number, surfaces, sequence } = view;
+        LoadedScene { name: name.to_owned(), frame, number, sequence, surfaces, core, warnings }
+    }
+
     /// The needs of its frame, or of all frames together if it moves.
     ///
     /// # Errors
@@ -47,7 +54,7 @@ impl LoadedScene {
     pub fn in_frame(self, number: u32) -> Result<LoadedScene, SceneError> {
         let Some(sequence) = &self.sequence else { return Ok(self) };
         let (frame, surfaces) = (sequence.frame(number)?, sequence.surfaces(number)?);
-        Ok(LoadedScene { frame, surfaces, ..self })
+        Ok(LoadedScene { frame, number, surfaces, ..self })
     }
 }
 
@@ -118,9 +125,8 @@ pub(crate) fn read(path: &Path) -> Result<SceneFile, SceneError> {
 fn folder(scene: &str, name: &str, size: Option<(u32, u32)>) -> Result<LoadedScene, SceneError> {
     let (files, Besides { core, warnings }) = FrameFiles::new(Path::new(scene), size)?;
     let sequence = Sequence::new(scene, FrameSource::Files(files))?;
-    let (frame, surfaces) = (sequence.frame(0)?, sequence.surfaces(0)?);
-    let name = name.to_owned();
-    Ok(LoadedScene { name, frame, sequence: Some(sequence), surfaces, core, warnings })
+    let view = View::of_sequence(sequence)?;
+    Ok(LoadedScene::new(name, view, core, warnings))
 }
 
 fn finish(
@@ -129,15 +135,8 @@ fn finish(
     file: SceneFile,
     size: Option<(u32, u32)>,
 ) -> Result<LoadedScene, SceneError> {
-    let View { frame, surfaces, sequence } = file.view(scene, size)?;
-    Ok(LoadedScene {
-        name: name.to_owned(),
-        frame,
-        sequence,
-        surfaces,
-        core: file.core,
-        warnings: file.warnings,
-    })
+    let view = file.view(scene, size)?;
+    Ok(LoadedScene::new(name, view, file.core, file.warnings))
 }
 
 /// The scene that shows a mesh by itself.

@@ -160,17 +160,34 @@ fn the_needs_of_a_sequence_are_those_of_its_frames() {
     assert_eq!(needs.longest_span, Needs::of(&frame(&sequence, 0)).longest_span);
 }
 
-/// A frame in which nothing is to be seen is named.
-#[test]
-fn a_frame_without_anything_is_an_error() {
-    let text = format!(
+/// What moves an object through the picture, from `first` to `last` by its height, in 8 frames.
+fn passing(first: f64, last: f64) -> String {
+    format!(
         "{OBJECT}[camera]\ntarget = [0, 0, 0]\nheight = 3\n[sequence]\nframes = 8\n\
-         [[sequence.motion]]\nof = \"object 1\"\ntranslate = [0, 80, 0]\n"
-    );
-    let leaving = sequence(&text);
-    assert!(leaving.frame(0).is_ok());
-    let error = leaving.needs().expect_err("the object leaves the picture").to_string();
-    assert_eq!(error, "scene `moving.toml, frame 1`: nothing of the scene is visible");
+         [[sequence.motion]]\nof = \"object 1\"\ntranslate = [[0, {first}, 0], [0, {last}, 0]]\nat = [0, 7]\n"
+    )
+}
+
+/// Frames before an object comes and after it leaves are of the background, and ask for nothing.
+#[test]
+fn a_frame_without_anything_is_background() {
+    let scene = parse("passing.toml", passing(-5.0, 5.0)).unwrap_or_else(|error| panic!("{error}"));
+    let sequence = scene.sequence.as_ref().expect("the scene moves");
+    let frames: Vec<Frame> = (0..8).map(|number| frame(sequence, number)).collect();
+    let filled: Vec<&Frame> = frames.iter().filter(|frame| !frame.spans.is_empty()).collect();
+    assert_eq!(filled.len(), 4);
+    assert!(frames[0].spans.is_empty() && frames[7].spans.is_empty());
+    assert_eq!(frames[0].lights, filled[0].lights);
+    assert_eq!((scene.number, &scene.frame), (2, filled[0]));
+    let needs = filled.into_iter().map(Needs::of).reduce(Needs::and);
+    assert_eq!(Some(sequence.needs().expect("something is visible")), needs);
+}
+
+/// A sequence of nothing says why its first frame is empty.
+#[test]
+fn a_sequence_without_anything_is_an_error() {
+    let error = parse("away.toml", passing(70.0, 80.0)).expect_err("nothing is in any frame");
+    assert_eq!(error.to_string(), "scene `away.toml, frame 0`: nothing of the scene is visible");
 }
 
 /// A mesh of one triangle, so far to the right.

@@ -125,6 +125,7 @@ fn a_loop_that_does_not_pause_is_reported() {
             Method::Lyon,
             "normals = \"wrapped\"\naxis = \"previous\"\nincrements = \"added\"",
         ),
+        spec_with(&frame, Method::Direct, "increments = \"added\""),
         spec(&frame, Method::Hybrid),
         spec(&frame, Method::Slerp),
         shared(spec(&frame, Method::Gouraud)),

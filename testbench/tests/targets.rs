@@ -5,6 +5,7 @@ use specula_datapath::target::Target;
 use specula_fixtures::each_method;
 use specula_fixtures::frames::{Row, frame_of, material, tilted};
 use specula_fixtures::specs::spec;
+use specula_fixtures::tools;
 use specula_scene::Frame;
 use specula_spec::{Components, CoreSpec, LightPipelines, Method, TargetClock};
 use specula_testbench::{Bench, EngineKind};
@@ -48,6 +49,29 @@ fn every_pixel_is_the_models(method: Method) {
 }
 
 each_method!(every_pixel_is_the_models);
+
+/// The Verilog of each target, by methods that use most of its cells: blocks with registers in them,
+/// sums in pieces, memories that delay.
+#[test]
+fn icarus_agrees_on_every_target() {
+    if !tools::is_installed("iverilog") {
+        return;
+    }
+    let frame = picture();
+    for (target, method, clock) in [
+        ("ecp5", Method::Lyon, 260.0),
+        ("ecp5", Method::Direct, 100.0),
+        ("xilinx7", Method::Reflection, 100.0),
+        ("ice40up", Method::Lyon, 20.0),
+        ("ice40hx", Method::Gouraud, 40.0),
+    ] {
+        let core = made_for(&spec(&frame, method).specialised(&frame), target, clock);
+        let bench = Bench::new(&frame, &core, "core").unwrap();
+        let outcome = bench.run(EngineKind::Icarus, &mut |_, _| ()).unwrap();
+        let first = (&outcome.comparison.first_mismatch, &outcome.violation);
+        assert!(outcome.agrees(), "{target}, {}: {first:?}", method.name());
+    }
+}
 
 fn agrees(frame: &Frame, core: &CoreSpec) {
     let bench = Bench::new(frame, core, "core").unwrap();

@@ -82,8 +82,14 @@ impl SceneArguments {
         let mut scene = self.load()?;
         if let Some(sequence) = scene.sequence.take() {
             let frames = sequence.frames();
+            let which = match scene.number {
+                0 => format!("the first of {frames} alone is looked at"),
+                number => format!(
+                    "frame {number} alone is looked at, the first of {frames} in which something is visible"
+                ),
+            };
             // A closed standard error is no reason to stop.
-            let _ = writeln!(io::stderr(), "frames: the first of {frames} alone is looked at");
+            let _ = writeln!(io::stderr(), "frames: {which}");
         }
         Ok(scene)
     }

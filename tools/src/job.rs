@@ -3,7 +3,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use specula_experiments::formats::{DefaultCore, NotProven};
+use specula_experiments::formats::{DefaultCore, NotFaithful};
 use specula_scene::{LoadedScene, Sequence};
 use specula_spec::{CoreSpec, FittedCore, SpecFile};
 
@@ -20,9 +20,8 @@ pub struct Job {
     pub file: SpecFile,
     /// The origin of the core.
     pub origin: Origin,
-    /// The reason why the core is in recommended formats, where it was to be faithful and could not
-    /// be proven so.
-    pub not_faithful: Option<NotProven>,
+    /// The core's formats, with the reason, where it was to be faithful and could not be proven so.
+    pub not_faithful: Option<NotFaithful>,
 }
 
 impl Job {
@@ -142,9 +141,9 @@ impl SceneOrSpec {
             None => {
                 let scene = self.scene();
                 let job = Job::of_scene(&scene, &self.wanted, name)?;
-                if let Some(reason) = &job.not_faithful {
+                if let Some(formats) = &job.not_faithful {
                     // A closed standard error is no reason to stop.
-                    let _ = writeln!(io::stderr(), "formats: recommended ones: {reason}");
+                    let _ = writeln!(io::stderr(), "formats: {formats}");
                 }
                 Ok((job.file, job.origin))
             }

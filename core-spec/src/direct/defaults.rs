@@ -6,6 +6,7 @@ use specula_scene::needs::Needs;
 use super::{DirectFormats, DirectSpec, Root};
 use crate::defaults::{exponent_bits, span_bits};
 use crate::error::{SpecError, within};
+use crate::increments::Increments;
 use crate::method_set_up::SetUpSpan;
 use crate::narrowing::{MOST_FRACTION_BITS, NarrowingPoint, SIGNED_UNIT, UNIT};
 use crate::power::Power;
@@ -20,6 +21,7 @@ impl DirectSpec {
     pub const OPTION_DOMAINS: &'static [OptionDomain] = &[
         Power::OPTION_DOMAIN,
         Places::OPTION_DOMAIN,
+        Increments::OPTION_DOMAIN,
         OptionDomain { key: "root", values: &["\"exact\"", "\"newton\""] },
         OptionDomain { key: "newton_steps", values: &["1", "2"] },
     ];
@@ -38,12 +40,14 @@ impl DirectSpec {
             newton_steps: 2,
             power: Power::for_needs(needs),
             places: Places::for_needs(needs),
+            increments: Increments::Multiplied,
             formats: DirectFormats {
                 weight_accumulator: Format::unsigned(1, weight + s + 1),
                 weight: Format::unsigned(1, weight),
                 product: Format::unsigned(1, most(14 + j + 2 * reach)),
                 spread: Format::unsigned(3, most(12 + j + 2 * reach)),
                 component: Format::signed(1, most(12 + j + reach)),
+                scalar_accumulator: Format::signed(1, cosine.fraction_bits + s + 1),
                 length_squared: Format::unsigned(1, most(12 + j + 2 * reach)),
                 length: Format::unsigned(1, most(12 + j + reach)),
                 reciprocal: Format::unsigned(reach, most(12 + j)),
@@ -67,6 +71,7 @@ impl ShadingMethod for DirectSpec {
             product,
             spread,
             component,
+            scalar_accumulator,
             length_squared,
             length,
             reciprocal,
@@ -81,17 +86,34 @@ impl ShadingMethod for DirectSpec {
         // `check_options` limits the integer bits.
         let reach = Format::unsigned(reciprocal.integer_bits, 0);
         let values = ["step of t, rounded by the host", "t"];
+        let components = match self.increments {
+            Increments::Multiplied => {
+                "A.L, A.V, their differences to B's, and L.V, rounded by the host"
+            }
+            Increments::Added => "L.V, rounded by the host",
+        };
         let mut points =
             NarrowingPoint::weight([weight_accumulator, weight], span_bits, values).to_vec();
         points.extend([
             point("product", product, UNIT, "t (1 - t)"),
             point("spread", spread, Format::unsigned(3, 0), "|B - A|^2, rounded by the host"),
-            point(
-                "component",
-                component,
-                SIGNED_UNIT,
-                "A.L, A.V, their differences to B's, and L.V, rounded by the host",
-            ),
+            point("component", component, SIGNED_UNIT, components),
+        ]);
+        if self.increments == Increments::Added {
+            let steps = "start and step of N.L and N.V, rounded by the host";
+            let order = (1, span_bits);
+            points.push(
+                NarrowingPoint::accumulated(
+                    "scalar_accumulator",
+                    scalar_accumulator,
+                    SIGNED_UNIT,
+                    order,
+                    steps,
+                )
+                .with_at_least(cosine.fraction_bits),
+            );
+        }
+        points.extend([
             // A reciprocal root tells 4^-m from 0.
             point("length_squared", length_squared, UNIT, "q = N.N")
                 .with_at_least(2 * LARGEST_REACH),
@@ -131,7 +153,8 @@ impl ShadingMethod for DirectSpec {
             Root::Newton => format!("{steps} of Newton's method from the pixel before"),
         };
         let options = [("root", root), self.power.option()];
-        options.into_iter().chain(self.places.option()).collect()
+        let along = self.increments.option("J = J + dJ and K = K + dK");
+        options.into_iter().chain(self.places.option()).chain(along).collect()
     }
 
     fn check_options(&self) -> Result<(), SpecError> {

@@ -1,8 +1,10 @@
 //! The inputs of a `direct` core.
 use super::DirectSpec;
 use crate::core_input::CoreInput;
+use crate::increments::Increments;
 use crate::input_meaning::InputMeaning;
 use crate::inputs::{CoreInputs, MethodInputs, inputs};
+use crate::linear::Linear;
 use crate::parameters::CoreParameters;
 use crate::ways::{EyeCosine, LightCosine};
 
@@ -39,8 +41,9 @@ inputs! {
     Ends {
         /// At t = 0.
         start: one,
-        /// At t = 1 less that at t = 0.
-        delta: one,
+        /// At t = 1 less that at t = 0, or what it grows by with each pixel where increments are
+        /// added.
+        change: one,
     }
 }
 
@@ -89,6 +92,17 @@ impl MethodInputs for DirectSpec {
 impl DirectSpec {
     /// The inputs of a `value` that is linear along the span.
     fn ends(&self, value: &str, name: &str) -> Ends<CoreInput> {
+        match self.increments {
+            Increments::Multiplied => self.whole_change(value, name),
+            Increments::Added => {
+                let Linear { start, step } =
+                    Linear::inputs(value, name, self.formats.scalar_accumulator);
+                Ends { start, change: step }
+            }
+        }
+    }
+
+    fn whole_change(&self, value: &str, name: &str) -> Ends<CoreInput> {
         let (component, sum) = (self.formats.component, self.formats.component_sum());
         let [start, delta] = InputMeaning::along_span(
             value,
@@ -96,7 +110,7 @@ impl DirectSpec {
         );
         Ends {
             start: CoreInput::between(start, format!("{name}_start"), component, -1.0, 1.0),
-            delta: CoreInput::between(delta, format!("{name}_delta"), sum, -2.0, 2.0),
+            change: CoreInput::between(delta, format!("{name}_delta"), sum, -2.0, 2.0),
         }
     }
 }

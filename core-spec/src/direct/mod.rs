@@ -3,7 +3,8 @@
 //!
 //! With A and B the unit normals at the ends of a span, N = A + t (B - A) has the squared length
 //! q = 1 - κ t (1 - t), κ = |B - A|². So J = N·L and K = N·V are linear in t, and q needs no
-//! forward differences, whose errors grow with the square of the span's length.
+//! forward differences, whose errors grow with the square of the span's length. J and K are made of
+//! t, or added up from pixel to pixel, J ← J + ΔJ, as the lecture prints it.
 mod defaults;
 mod inputs;
 mod set_up;
@@ -12,6 +13,7 @@ use serde::{Deserialize, Serialize};
 use specula_datapath::Format;
 
 use crate::formats::formats;
+use crate::increments::Increments;
 use crate::power::{Power, PowerUnit};
 use crate::ways::{Places, WayFormats};
 pub use inputs::{DirectInputs, DirectLight, DirectSpan, Ends};
@@ -39,6 +41,9 @@ pub struct DirectSpec {
     pub power: Power,
     /// From where lights and the eye at places are seen.
     pub places: Places,
+    /// What becomes of the increments of N·L and N·V along a span.
+    #[serde(default)]
+    pub increments: Increments,
     /// The narrowing points.
     pub formats: DirectFormats,
 }
@@ -56,9 +61,13 @@ formats! {
         pub product: Format,
         /// κ: `U3.f`, rounded by the host.
         pub spread: Format,
-        /// A·L, A·V and L·V: `S1.f`, rounded by the host. Differences between the ends have one
-        /// more integer bit.
+        /// A·L and A·V (with increments multiplied only), and L·V: `S1.f`, rounded by the host.
+        /// Differences between the ends have one more integer bit.
         pub component: Format,
+        /// Accumulators of N·L and N·V (with increments added only): `S1.f`. The host rounds start
+        /// and step into it.
+        #[serde(default = "default_scalar_accumulator")]
+        pub scalar_accumulator: Format,
         /// q: `U1.f`.
         pub length_squared: Format,
         /// d = √q by Newton's method, and q/d before: `U1.f`.
@@ -79,6 +88,11 @@ formats! {
         /// What tables make of the base (with power by tables only): `U1.f`.
         pub shape: Format,
     }
+}
+
+/// The format of what cores do not have that were made before increments could be added.
+const fn default_scalar_accumulator() -> Format {
+    Format::signed(1, 24)
 }
 
 impl DirectFormats {

@@ -3,6 +3,8 @@ use glam::DVec3;
 use specula_scene::frame::{EYE, Frame, Span};
 
 use super::{DirectLight, DirectSpan, DirectSpec, Ends};
+use crate::increments::Increments;
+use crate::linear::Linear;
 use crate::method_set_up::MethodSetUp;
 use crate::ways::Ways;
 
@@ -28,7 +30,7 @@ impl MethodSetUp for DirectSetUp<'_> {
         DirectSpan {
             weight_step: f.weight_accumulator.quantise(span.weight_step()),
             spread: f.spread.quantise((normals[1] - normals[0]).length_squared()),
-            view: (!has_eye).then(|| self.ends(normals, EYE)),
+            view: (!has_eye).then(|| self.ends(span, normals, EYE)),
             eye: has_eye
                 .then(|| self.ways(span).eye_cosine(span.start_and_step(*normals)))
                 .flatten(),
@@ -48,7 +50,7 @@ impl MethodSetUp for DirectSetUp<'_> {
         let l = self.frame.lights[index].direction;
         let l_dot_v = if normals[0] == DVec3::ZERO { 1.0 } else { l.dot(EYE) };
         DirectLight {
-            light: Some(self.ends(normals, l)),
+            light: Some(self.ends(span, normals, l)),
             way: None,
             light_dot_view: Some(self.direct.formats.component.quantise(l_dot_v)),
         }
@@ -60,10 +62,22 @@ impl DirectSetUp<'_> {
         Ways { frame: self.frame, span, accumulator: self.direct.formats.way_accumulator }
     }
 
-    /// N·`x` at both ends, each rounded, so that what lies between never leaves what they are.
-    fn ends(&self, normals: &[DVec3; 2], x: DVec3) -> Ends<i64> {
-        let component = self.direct.formats.component;
-        let [start, end] = normals.map(|n| component.quantise(n.dot(x).clamp(-1.0, 1.0)));
-        Ends { start, delta: end - start }
+    /// What is sent of N·`x`.
+    fn ends(&self, span: &Span, normals: &[DVec3; 2], x: DVec3) -> Ends<i64> {
+        let [start, end] = normals.map(|n| n.dot(x).clamp(-1.0, 1.0));
+        match self.direct.increments {
+            // Both ends are rounded, so that what lies between never leaves what they are.
+            Increments::Multiplied => {
+                let [start, end] =
+                    [start, end].map(|value| self.direct.formats.component.quantise(value));
+                Ends { start, change: end - start }
+            }
+            Increments::Added => {
+                let [_, step] = span.start_and_step(*normals);
+                let Linear { start, step } = Linear::new(span, start, step.dot(x))
+                    .quantised(self.direct.formats.scalar_accumulator);
+                Ends { start, change: step }
+            }
+        }
     }
 }

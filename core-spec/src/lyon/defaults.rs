@@ -191,7 +191,7 @@ impl ShadingMethod for LyonSpec {
             options.push(("Newton steps", self.newton_steps.to_string()));
         }
         if self.normals != Normals::Flat {
-            options.extend(self.increments.option());
+            options.extend(self.increments.option("N' = N' + dN"));
         }
         options.push(("difference", self.difference_in_words()));
         options.push(("shape", self.shape_in_words()));

@@ -132,7 +132,7 @@ impl ShadingMethod for PhongSpec {
                 "2v H - w, H = w + (F - P), v = H.w / H.H".to_owned(),
             ));
         }
-        options.extend(self.increments.option());
+        options.extend(self.increments.option("N' = N' + dN"));
         options
     }
 

@@ -21,7 +21,7 @@ use rayon::prelude::*;
 use specula_spec::{CoreSpec, Frames};
 use specula_testbench::BenchError;
 
-pub use default_core::{DefaultCore, default_core};
+pub use default_core::{DefaultCore, NotFaithful, default_core};
 use model::Model;
 pub use of_sequence::{SequenceError, core_of_sequence};
 pub use products::Products;

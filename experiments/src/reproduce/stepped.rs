@@ -17,6 +17,18 @@ pub fn largest_off<const N: usize>(
     values: impl Fn(DVec3) -> [f64; N],
     off: impl Fn(&Span, [Linear<f64>; N]) -> f64,
 ) -> f64 {
+    let mut largest = 0.0;
+    along_edges(frame, values, |span, along| largest = f64::max(largest, off(span, along)));
+    largest
+}
+
+/// Gives each span of a frame, with its linear quantities stepped along edges from scan line to scan
+/// line; `values` makes the quantities of a vertex normal.
+pub fn along_edges<const N: usize>(
+    frame: &Frame,
+    values: impl Fn(DVec3) -> [f64; N],
+    mut give: impl FnMut(&Span, [Linear<f64>; N]),
+) {
     let mut triangles: Vec<(Edge, [Plane; N])> = Vec::new();
     for triangle in &frame.triangles {
         let edge = triangle.linear_outline().map_or_else(Edge::default, Edge::of_outline);
@@ -24,10 +36,9 @@ pub fn largest_off<const N: usize>(
         let plane = |k: usize| Plane::new(&edge, corners.map(|corner| corner[k]));
         triangles.push((edge, std::array::from_fn(plane)));
     }
-    let of_span = |span: &Span| {
+    for span in &frame.spans {
         let (edge, planes) = &mut triangles[span.triangle];
         let step = edge.to_span(span);
-        off(span, planes.each_mut().map(|plane| plane.to_span(step)))
-    };
-    frame.spans.iter().map(of_span).fold(0.0, f64::max)
+        give(span, planes.each_mut().map(|plane| plane.to_span(step)));
+    }
 }

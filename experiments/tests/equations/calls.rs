@@ -86,7 +86,7 @@ fn module(path: &Path) -> String {
     }
 }
 
-fn parsed(folder: &Path) -> Vec<(PathBuf, syn::File)> {
+pub fn parsed(folder: &Path) -> Vec<(PathBuf, syn::File)> {
     let mut files = Vec::new();
     for entry in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
         if entry.is_dir() {
@@ -225,7 +225,7 @@ impl Scan<'_> {
     }
 }
 
-fn is_test(attributes: &[syn::Attribute]) -> bool {
+pub fn is_test(attributes: &[syn::Attribute]) -> bool {
     attributes.iter().any(|attribute| {
         attribute.path().is_ident("cfg")
             && attribute.parse_args::<syn::Path>().is_ok_and(|what| what.is_ident("test"))

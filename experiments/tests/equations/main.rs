@@ -1,6 +1,7 @@
-//! docs/equations.md against the source: every equation of docs/methods.md and every figure of the
-//! papers has a row, and what a row names is there, and is called.
+//! docs/equations.md against the source: every equation of docs/methods.md, every figure and every
+//! claim of the papers has a row, and what a row names is there, and is called.
 mod calls;
+mod claims;
 mod figures;
 mod uses;
 
@@ -40,6 +41,13 @@ fn read(path: &str) -> String {
 fn split(line: &str) -> Vec<String> {
     let inner = line.trim().trim_start_matches('|').trim_end_matches('|').replace("\\|", "\u{1}");
     inner.split('|').map(|cell| cell.trim().replace('\u{1}', "|")).collect()
+}
+
+/// The rows of the table with these titles.
+fn table(titles: &str) -> Vec<Vec<String>> {
+    let text = read("docs/equations.md");
+    let table = text.split(titles).nth(1).unwrap_or_else(|| panic!("there is no table {titles}"));
+    table.lines().skip(2).take_while(|line| line.starts_with('|')).map(split).collect()
 }
 
 /// A row of a table that says where equations are.

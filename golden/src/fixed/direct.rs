@@ -1,10 +1,13 @@
 //! `direct`, bit for bit [lecture, eq. 4.3 to 4.6; methods A6, A7; `docs/arithmetic/direct.md`].
+use std::fmt;
+
 use specula_spec::direct::{
     DirectFormats, DirectInputs, DirectLight, DirectSpan, DirectSpec, Ends, Root,
 };
-use specula_spec::{CoreParameters, Format};
+use specula_spec::{CoreParameters, Format, Increments, Linear};
 
 use super::error::PacketError;
+use super::forward::Accumulator;
 use super::method::{Intensities, Method};
 use super::number::{Wide, round_quotient, round_to};
 use super::observer::{Nobody, Observer, narrow};
@@ -19,6 +22,7 @@ pub(super) struct Direct {
     root: Root,
     newton_steps: u32,
     power: Raised,
+    increments: Increments,
     ways: Ways,
     formats: DirectFormats,
 }
@@ -42,6 +46,7 @@ impl Direct {
             root: direct.root,
             newton_steps: direct.newton_steps,
             power: Raised::new(core, direct.power_unit()),
+            increments: direct.increments,
             ways: Ways::new(core, direct.ways()),
             formats: direct.formats.clone(),
         }
@@ -63,9 +68,12 @@ impl Method for Direct {
     fn check(&self, inputs: &DirectInputs<Wide>, extent: SpanExtent) -> Result<(), PacketError> {
         let eye = inputs.span.eye.as_ref();
         eye.map_or(Ok(()), |eye| self.ways.check_eye(eye, extent))?;
+        self.check_linear(format_args!("view"), inputs.span.view.as_ref(), extent)?;
         inputs.lights.iter().enumerate().try_for_each(|(index, inputs)| {
             let way = inputs.light.way.as_ref();
-            way.map_or(Ok(()), |way| self.ways.check_light(index, way, extent))
+            way.map_or(Ok(()), |way| self.ways.check_light(index, way, extent))?;
+            let light = inputs.light.light.as_ref();
+            self.check_linear(format_args!("light{index}"), light, extent)
         })?;
         extent.weight(inputs.span.weight_step, self.formats.weight_accumulator)
     }
@@ -109,7 +117,7 @@ impl Method for Direct {
         let arrived = way.map(|way| self.ways.light(observer, way, pixel.eye, pixel.i));
         let linear = match (&light.light, &arrived) {
             (_, Some((cosine, _))) => *cosine,
-            (Some(light), None) => self.linear("n_dot_l", light, pixel.t, observer),
+            (Some(light), None) => self.linear("n_dot_l", light, (pixel.t, pixel.i), observer),
             // An input that is not there is 0.
             (None, None) => Wide::ZERO,
         };
@@ -151,7 +159,7 @@ impl Direct {
         let eye = span.eye.as_ref().map(|eye| self.ways.eye(observer, eye, i));
         let linear = match (&span.view, eye) {
             (_, Some((view, _))) => view,
-            (Some(view), None) => self.linear("n_dot_v", view, t, observer),
+            (Some(view), None) => self.linear("n_dot_v", view, (t, i), observer),
             (None, None) => Wide::ZERO,
         };
         let view = match self.root {
@@ -224,14 +232,38 @@ impl Direct {
         q.max(Wide::ONE >> (2 * self.formats.reciprocal.integer_bits))
     }
 
-    /// N·X, linear along the span.
-    fn linear(&self, name: &str, ends: &Ends<Wide>, t: Wide, observer: &mut impl Observer) -> Wide {
-        narrow(
-            observer,
-            format_args!("{name}_linear"),
-            ends.start + t * ends.delta,
-            self.formats.cosine,
-        )
+    /// Whether N·X stays within -1 and 1; between ends that do it does.
+    fn check_linear(
+        &self,
+        name: fmt::Arguments<'_>,
+        ends: Option<&Ends<Wide>>,
+        extent: SpanExtent,
+    ) -> Result<(), PacketError> {
+        match (self.increments, ends) {
+            (Increments::Added, Some(ends)) => {
+                extent.linear(name, &added(ends), self.formats.scalar_accumulator, (-1, 1))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// N·X, linear along the span, at t and pixel i.
+    fn linear(
+        &self,
+        name: &str,
+        ends: &Ends<Wide>,
+        (t, i): (Wide, u32),
+        observer: &mut impl Observer,
+    ) -> Wide {
+        let rounded = self.formats.cosine;
+        match self.increments {
+            Increments::Multiplied => {
+                let exact = ends.start + t * ends.change;
+                narrow(observer, format_args!("{name}_linear"), exact, rounded)
+            }
+            Increments::Added => Accumulator { exact: self.formats.scalar_accumulator, rounded }
+                .linear(observer, format_args!("{name}_linear"), &added(ends), i),
+        }
     }
 
     /// N·X s, kept within -1 to 1.
@@ -257,6 +289,11 @@ impl Direct {
         observer.see(format_args!("base"), base, format);
         self.power.raise(observer, base, pixel.exponent)
     }
+}
+
+/// What grows by its change with each pixel.
+fn added(ends: &Ends<Wide>) -> Linear<Wide> {
+    Linear { start: ends.start, step: ends.change }
 }
 
 /// p/q of positive numbers to `fraction_bits`, 2^`integer_bits` at most.

@@ -82,6 +82,24 @@ fn foreign_packets_are_refused() {
     }
 }
 
+/// Ports have room for steps that only short spans take.
+#[test]
+fn scalars_that_are_added_past_a_unit_are_refused() {
+    let frame = frame([DVec3::Z; 2], 8, &[DVec3::Z], mirror(16));
+    let core = spec_with(&frame, Method::Direct, "increments = \"added\"");
+    for name in ["view", "light0"] {
+        let mut packet = packet(&core, &frame);
+        assert_eq!(Model::new(&core).shade(&packet, &mut Vec::new()), Ok(()));
+        let step = core.inputs().iter().position(|port| port.name == format!("{name}_step"));
+        packet.inputs[step.expect("increments are added")] = core.inputs()[step.unwrap()].range.1;
+        let refused = Model::new(&core).shade(&packet, &mut Vec::new());
+        assert!(
+            matches!(&refused, Err(PacketError::Outgrown { name: of, pixel: 7, .. }) if of == name),
+            "{refused:?}"
+        );
+    }
+}
+
 /// `lyon` asks more of a packet than each port says.
 #[test]
 fn packets_past_the_unit_ball_are_refused() {

@@ -1,7 +1,8 @@
 //! `direct` on raw values.
-use specula_spec::DirectSpec;
 use specula_spec::direct::Root;
+use specula_spec::{DirectSpec, Increments};
 
+use crate::duff;
 use crate::power;
 use crate::raw::{Raw, round};
 
@@ -25,12 +26,13 @@ pub fn code(spec: &DirectSpec, raw: &Raw, lights: usize, i: u32) -> [u8; 3] {
             r,
         ),
     };
-    let linear = |name: &str| {
-        round(
+    let linear = |name: &str| match spec.increments {
+        Increments::Multiplied => round(
             (raw.get(&format!("{name}_start")) << w) + t * raw.get(&format!("{name}_delta")),
             p + w,
             x,
-        )
+        ),
+        Increments::Added => duff::linear(raw, name, i, f.scalar_accumulator.fraction_bits, x),
     };
     let cosine = |name: &str| round(linear(name) * s, x + r, x).clamp(-1 << x, 1 << x);
     let view = match spec.root {

@@ -1,6 +1,6 @@
 //! The core that evaluates fast Phong shading anew at every pixel.
 use specula_spec::direct::{DirectFormats, DirectInputs, DirectLight, DirectSpec, Ends, Root};
-use specula_spec::{CoreParameters, Format, InputPort};
+use specula_spec::{CoreParameters, Format, Increments, InputPort, Linear};
 
 use super::common::{Intensities, finish, squared_normal, time_slots};
 use super::forward::Forward;
@@ -34,18 +34,14 @@ pub(super) fn core(
     let q = squared_normal(units::squared_length(&b, &t, &inputs.span.spread, formats), parameters);
     let forward = Forward { b: &b, first: &slots.first_pixel, steps: parameters.longest_span - 1 };
     let ways = Ways::new(forward, parameters, direct.ways(), &slots);
-    let (view, eye) = match (&inputs.span.view, &inputs.span.eye) {
+    let ((view, scalar), eye) = match (&inputs.span.view, &inputs.span.eye) {
         (_, Some(eye)) => {
             let (view, length) = ways.eye(eye);
-            (view, Some(length))
+            ((view, Scalar::Independent), Some(length))
         }
-        (Some(view), None) => {
-            let ends = [&view.start, &view.delta];
-            (b.instance("view", || units::direct_scalar(&b, &t, ends, formats)), None)
-        }
+        (Some(view), None) => (along(forward, &t, direct, "view", view), None),
         (None, None) => unreachable!("`DirectSpec::span_inputs` gives one of both"),
     };
-    let scalar = if eye.is_some() { Scalar::OfWay } else { Scalar::BetweenEnds };
     let length = length(
         &b,
         Squared {
@@ -87,8 +83,31 @@ struct Squared<'a> {
 enum Scalar {
     /// Between those of the ends, for which much is proven.
     BetweenEnds,
-    /// Over the length of a way, off by what it is off by.
-    OfWay,
+    /// Made without t, as those that are added up or are over the length of a way: off by what it
+    /// is off by itself.
+    Independent,
+}
+
+/// N·X of a light or an eye at infinity. [lecture, eq. 4.3]
+fn along(
+    forward: Forward,
+    t: &Sig,
+    direct: &DirectSpec,
+    instance: &str,
+    Ends { start, change }: &Ends<Sig>,
+) -> (Sig, Scalar) {
+    let (b, formats) = (forward.b, &direct.formats);
+    match direct.increments {
+        Increments::Multiplied => {
+            let p = b.instance(instance, || units::direct_scalar(b, t, [start, change], formats));
+            (p, Scalar::BetweenEnds)
+        }
+        Increments::Added => {
+            let linear = Linear { start: start.clone(), step: change.clone() };
+            let p = forward.linear(instance, &linear, formats.cosine.fraction_bits);
+            (p.named("linear"), Scalar::Independent)
+        }
+    }
 }
 
 /// What the length of N is divided out by.
@@ -137,7 +156,7 @@ fn length(b: &Builder, of: Squared, direct: &DirectSpec) -> Length {
             let quotient = units::over_square(b, view, q, formats);
             let known = match scalar {
                 Scalar::BetweenEnds => Product::with_quotient(parameter, q.bound(), formats).into(),
-                Scalar::OfWay => KnownProduct::Propagated,
+                Scalar::Independent => KnownProduct::Propagated,
             };
             let highlight = Highlight::OfQuotient(quotient, known);
             Length { reciprocal, normal, proven: None, highlight }
@@ -151,7 +170,7 @@ impl Length {
         let s = &self.reciprocal;
         match scalar {
             Scalar::BetweenEnds => units::direct_cosine(b, p, s, formats, self.normal),
-            Scalar::OfWay => {
+            Scalar::Independent => {
                 units::cosine_of_scalar(b, p, s, formats.cosine.fraction_bits, self.proven)
             }
         }
@@ -216,17 +235,15 @@ impl Pixel<'_> {
 
     /// N·L, not of the unit normal, and the way to the light if that is followed.
     fn scalar(&self, index: usize, light: &DirectLight<Sig>) -> (Sig, Scalar, Option<Arrival>) {
-        let (b, formats) = (self.ways.forward.b, &self.direct.formats);
         match (&light.light, &light.way) {
             (_, Some(way)) => {
                 let (p, arrival) = self.ways.light(index, way, self.eye);
-                (p, Scalar::OfWay, Some(arrival))
+                (p, Scalar::Independent, Some(arrival))
             }
-            (Some(Ends { start, delta }), None) => {
-                let p = b.instance(&format!("light{index}_scalar"), || {
-                    units::direct_scalar(b, self.t, [start, delta], formats)
-                });
-                (p, Scalar::BetweenEnds, None)
+            (Some(light), None) => {
+                let instance = format!("light{index}_scalar");
+                let (p, scalar) = along(self.ways.forward, self.t, self.direct, &instance, light);
+                (p, scalar, None)
             }
             (None, None) => unreachable!("`DirectSpec::light_inputs` gives each light one of both"),
         }
@@ -242,9 +259,11 @@ impl Pixel<'_> {
             (Highlight::OfCosines(k), Scalar::BetweenEnds) => {
                 ([j, k], Product::of_bounds([j.bound(), k.bound()]).into())
             }
-            (Highlight::OfCosines(k), Scalar::OfWay) => ([j, k], KnownProduct::Propagated),
+            (Highlight::OfCosines(k), Scalar::Independent) => ([j, k], KnownProduct::Propagated),
             (Highlight::OfQuotient(k, known), Scalar::BetweenEnds) => ([p, k], *known),
-            (Highlight::OfQuotient(k, _), Scalar::OfWay) => ([p, k], KnownProduct::Propagated),
+            (Highlight::OfQuotient(k, _), Scalar::Independent) => {
+                ([p, k], KnownProduct::Propagated)
+            }
         };
         DirectedBase { factors, known, light_dot_view, q: self.q }
     }

@@ -80,17 +80,15 @@ impl SceneFile {
             (Shown::Objects(scene), size) => {
                 let scene = sized(scene, size);
                 let frame = scene.frame().map_err(|error| self.error(name, error))?;
-                Ok(View { frame, surfaces: scene.surfaces(), sequence: None })
+                Ok(View::still(frame, scene.surfaces()))
             }
             (Shown::Moving { scene, frames, script }, size) => {
                 let scene = MovingScene::new(sized(scene, size), *frames, script.clone());
-                let sequence = Sequence::new(name, FrameSource::Moving(scene.into()))?;
-                let (frame, surfaces) = (sequence.frame(0)?, sequence.surfaces(0)?);
-                Ok(View { frame, surfaces, sequence: Some(sequence) })
+                View::of_sequence(Sequence::new(name, FrameSource::Moving(scene.into()))?)
             }
             (Shown::Rows(rows), None) => {
                 let frame = rows.frame().map_err(|error| self.error(name, error))?;
-                Ok(View { frame, surfaces: vec![], sequence: None })
+                Ok(View::still(frame, vec![]))
             }
             (Shown::Rows(_), Some(_)) => Err(self.error(name, PictureError::OwnSize)),
         }
@@ -113,12 +111,27 @@ fn sized(scene: &Scene, size: Option<(u32, u32)>) -> Scene {
     Scene { size: size.unwrap_or(scene.size), ..scene.clone() }
 }
 
-/// What a scene shows: a frame, which is the first one where it moves.
+/// What a scene shows: a frame, which is the first one with something in it where it moves.
 pub(crate) struct View {
     pub frame: Frame,
+    /// Its number among the frames of a scene that moves.
+    pub number: u32,
     /// The surfaces that objects represent, one for each material; `None` where the surface is
     /// unknown. Empty for spans that the file gives directly.
     pub surfaces: Vec<Option<Surface>>,
     /// All frames, if the scene moves.
     pub sequence: Option<Sequence>,
+}
+
+impl View {
+    fn still(frame: Frame, surfaces: Vec<Option<Surface>>) -> View {
+        View { frame, number: 0, surfaces, sequence: None }
+    }
+
+    /// The first frame in which something is visible.
+    pub fn of_sequence(sequence: Sequence) -> Result<View, SceneError> {
+        let (number, frame) = sequence.first_visible()?;
+        let surfaces = sequence.surfaces(number)?;
+        Ok(View { frame, number, surfaces, sequence: Some(sequence) })
+    }
 }

@@ -25,12 +25,26 @@ impl Scene {
     /// A [`PictureError`] if the picture's size is out of range, the camera is invalid, or nothing
     /// is visible.
     pub fn frame(&self) -> Result<Frame, PictureError> {
-        if !limits::is_allowed(self.size) {
-            return Err(PictureError::Size(self.size.0, self.size.1));
-        }
-        let rotation = self.camera.rotation().ok_or(PictureError::Up)?;
-        let seen = viewed(&self.objects, rotation);
-        let (view, (kept, mut spans)) = self.visible(&seen, self.view(rotation, &seen)?)?;
+        let sight = self.sight()?;
+        let (view, visible) = self.visible(&sight)?.ok_or_else(|| sight.nothing())?;
+        Ok(self.frame_of(&sight, &view, visible))
+    }
+
+    /// The same where a picture of the background alone is one like any other: without spans, if
+    /// nothing is visible.
+    ///
+    /// # Errors
+    /// As [`Scene::frame`], but for the last.
+    pub fn frame_or_background(&self) -> Result<Frame, PictureError> {
+        let sight = self.sight()?;
+        Ok(match self.visible(&sight)? {
+            Some((view, visible)) => self.frame_of(&sight, &view, visible),
+            None => self.frame_of(&sight, &sight.view, Visible::default()),
+        })
+    }
+
+    fn frame_of(&self, sight: &Sight<'_>, view: &View, (kept, mut spans): Visible) -> Frame {
+        let Sight { rotation, seen, .. } = sight;
         let fans = |object: usize| {
             let own = kept.iter().filter(|name| name.object as usize == object);
             seen[object].fans(own.map(|name| name.triangle as usize))
@@ -38,23 +52,24 @@ impl Scene {
         let fans: Vec<VertexFans> = (0..seen.len()).map(fans).collect();
         let triangle = |&name: &TriangleId| {
             let object = name.object as usize;
-            seen[object].triangle(name, &fans[object], &view)
+            seen[object].triangle(name, &fans[object], view)
         };
         let triangles: Vec<Triangle> = kept.par_iter().map(triangle).collect();
         spans.iter_mut().for_each(|span| take_weights_of(&triangles, span));
-        let view = ViewTransform { rotation, centre: view.middle() };
-        Ok(Frame {
+        let transform = ViewTransform { rotation: *rotation, centre: view.middle() };
+        let (lights, at) = (self.lights.iter(), transform);
+        Frame {
             width: self.size.0,
             height: self.size.1,
             background: self.background,
             ambient: self.ambient,
-            lights: self.lights.iter().filter_map(|light| light.at_infinity(view)).collect(),
-            local_lights: self.lights.iter().filter_map(|light| light.at_a_place(view)).collect(),
-            eye: self.camera.eye.map(|eye| rotation * eye),
+            lights: lights.clone().filter_map(|light| light.at_infinity(at)).collect(),
+            local_lights: lights.filter_map(|light| light.at_a_place(at)).collect(),
+            eye: self.camera.eye.map(|eye| *rotation * eye),
             materials: self.objects.iter().flat_map(Object::materials).collect(),
             triangles,
             spans,
-        })
+        }
     }
 
     /// The smallest and largest coordinates of all objects in view space.
@@ -68,31 +83,34 @@ impl Scene {
         bounds(&seen).ok_or(PictureError::NothingVisible)
     }
 
-    /// The projection of the scene.
-    fn view(&self, rotation: DMat3, seen: &[ViewedObject<'_>]) -> Result<View, PictureError> {
-        let bounds = bounds(seen).ok_or(PictureError::NothingVisible)?;
-        View::new(&self.camera, rotation, (bounds, corners(seen)), self.size)
+    /// What the camera has before it.
+    fn sight(&self) -> Result<Sight<'_>, PictureError> {
+        if !limits::is_allowed(self.size) {
+            return Err(PictureError::Size(self.size.0, self.size.1));
+        }
+        let rotation = self.camera.rotation().ok_or(PictureError::Up)?;
+        let seen = viewed(&self.objects, rotation);
+        let bounds = bounds(&seen).ok_or(PictureError::NothingVisible)?;
+        let view = View::new(&self.camera, rotation, (bounds, corners(&seen)), self.size)?;
+        Ok(Sight { rotation, seen, view })
     }
 
-    /// The visible triangles and their spans, with the view that shows them.
+    /// The visible triangles and their spans, with the view that shows them; `None` if nothing is
+    /// visible.
     ///
     /// If a camera that frames the objects itself shows none, since they lie between the middles of
     /// pixels, as in pictures of a pixel or two, the picture is moved until the largest triangle
     /// covers one.
-    fn visible(
-        &self,
-        seen: &[ViewedObject<'_>],
-        view: View,
-    ) -> Result<(View, Visible), PictureError> {
-        if let Some(visible) = self.visible_in(seen, &view)? {
-            return Ok((view, visible));
+    fn visible(&self, sight: &Sight<'_>) -> Result<Option<(View, Visible)>, PictureError> {
+        let Sight { seen, view, .. } = sight;
+        if let Some(visible) = self.visible_in(seen, view)? {
+            return Ok(Some((*view, visible)));
         }
-        let nothing = || view.nothing_of(corners(seen));
         let frames_objects = self.camera.frames_objects();
-        let largest = frames_objects.then(|| middle_of_largest(seen, &view)).flatten();
-        let moved = view.with_on_a_pixel(largest.ok_or_else(nothing)?);
-        let visible = self.visible_in(seen, &moved)?.ok_or_else(nothing)?;
-        Ok((moved, visible))
+        let largest = frames_objects.then(|| middle_of_largest(seen, view)).flatten();
+        let Some(largest) = largest else { return Ok(None) };
+        let moved = view.with_on_a_pixel(largest);
+        Ok(self.visible_in(seen, &moved)?.map(|visible| (moved, visible)))
     }
 
     /// What a view shows; `None` if that is nothing.
@@ -113,9 +131,8 @@ impl Scene {
         let eye = match self.camera.lens {
             None => None,
             Some(_) => {
-                let seen = viewed(&self.objects, rotation);
-                let Ok(view) = self.view(rotation, &seen) else { return vec![] };
-                view.eye()
+                let Ok(sight) = self.sight() else { return vec![] };
+                sight.view.eye()
             }
         };
         let of = |object: &Object| {
@@ -125,6 +142,21 @@ impl Scene {
         let for_each_material =
             |object: &Object| std::iter::repeat_n(of(object), object.materials().len());
         self.objects.iter().flat_map(for_each_material).collect()
+    }
+}
+
+/// What a camera has before it.
+struct Sight<'a> {
+    /// The camera's.
+    rotation: DMat3,
+    seen: Vec<ViewedObject<'a>>,
+    view: View,
+}
+
+impl Sight<'_> {
+    /// The error of a picture in which nothing is visible.
+    fn nothing(&self) -> PictureError {
+        self.view.nothing_of(corners(&self.seen))
     }
 }
 

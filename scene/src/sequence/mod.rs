@@ -113,12 +113,28 @@ impl Sequence {
         SceneError::picture(&format!("{}, frame {index}", self.name), error)
     }
 
-    /// Frame number `index`, counted from 0.
+    /// Frame number `index`, counted from 0; it has no spans where nothing is visible.
     ///
     /// # Errors
-    /// [`SceneError::Picture`] if that frame cannot be drawn, or nothing is visible in it.
+    /// [`SceneError::Picture`] if that frame cannot be drawn.
     pub fn frame(&self, index: u32) -> Result<Frame, SceneError> {
-        self.scene(index)?.frame().map_err(|error| self.error(index, error))
+        self.scene(index)?.frame_or_background().map_err(|error| self.error(index, error))
+    }
+
+    /// The number of the first frame in which something is visible, and that frame.
+    ///
+    /// # Errors
+    /// [`SceneError::Picture`] if a frame up to it cannot be drawn, or nothing is ever visible: then
+    /// it says why there is nothing in the first one.
+    pub fn first_visible(&self) -> Result<(u32, Frame), SceneError> {
+        for index in 0..self.frames() {
+            let frame = self.frame(index)?;
+            if !frame.spans.is_empty() {
+                return Ok((index, frame));
+            }
+        }
+        let nothing = self.scene(0)?.frame().map_err(|error| self.error(0, error))?;
+        Ok((0, nothing))
     }
 
     /// The curved surfaces that a frame's objects represent, as [`crate::LoadedScene::surfaces`].
@@ -196,8 +212,13 @@ impl Sequence {
         if let Some(known) = self.needs.get() {
             return Ok(known.clone());
         }
-        let all: Vec<Needs> = self.map(|_, frame| Ok::<_, SceneError>(Needs::of(&frame)))?;
-        let needs = all.into_iter().reduce(Needs::and).expect("a sequence has at least one frame");
+        // A frame of the background alone needs nothing.
+        let needs = |frame: &Frame| (!frame.spans.is_empty()).then(|| Needs::of(frame));
+        let all = self.map(|_, frame| Ok::<_, SceneError>(needs(&frame)))?;
+        let needs = match all.into_iter().flatten().reduce(Needs::and) {
+            Some(needs) => needs,
+            None => Needs::of(&self.first_visible()?.1),
+        };
         Ok(self.needs.get_or_init(|| needs).clone())
     }
 }

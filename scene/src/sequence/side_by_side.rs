@@ -6,11 +6,17 @@ use std::thread::{self, ScopedJoinHandle};
 /// What `of` gives for every item, in their order, where `workers` threads take the next item
 /// whenever they are done with one. So no more than `workers` items are under way, which rayon does
 /// not promise: a thread of its own that waits for one item's loops takes another item meanwhile.
+///
+/// Within one of rayon's threads, items are done one after the other: the others' loops need rayon's
+/// threads, all of which could be waiting here for them.
 pub(super) fn side_by_side<I: Copy + Sync, T: Send>(
     items: &[I],
     workers: usize,
     of: impl Fn(I) -> T + Sync,
 ) -> Vec<T> {
+    if rayon::current_thread_index().is_some() {
+        return items.iter().map(|&item| of(item)).collect();
+    }
     let next = AtomicUsize::new(0);
     let work = || {
         let mut done = Vec::new();
@@ -32,6 +38,11 @@ pub(super) fn side_by_side<I: Copy + Sync, T: Send>(
 
 #[cfg(test)]
 mod tests {
+    use std::sync::mpsc;
+    use std::time::Duration;
+
+    use rayon::prelude::*;
+
     use super::*;
 
     #[test]
@@ -45,5 +56,19 @@ mod tests {
         });
         assert!(squares.iter().zip(&items).all(|(square, item)| *square == item * item));
         assert!(squares.len() == 100 && side_by_side(&items[..0], 3, |item| item).is_empty());
+    }
+
+    /// Loops in loops come to an end when every thread of rayon's is in the outer one.
+    #[test]
+    fn items_of_items_do_not_wait_for_each_other() {
+        let (done, end) = mpsc::channel();
+        thread::spawn(move || {
+            let inner = |item: u64| (0..1000).into_par_iter().map(|x| x * item).sum::<u64>();
+            let outer = |item: u64| side_by_side(&[item, 1], 2, inner)[0];
+            let sums: u64 = (0..64).into_par_iter().map(outer).sum();
+            done.send(sums)
+        });
+        let sum = end.recv_timeout(Duration::from_secs(60));
+        assert_eq!(sum, Ok((64 * 63 / 2) * (1000 * 999 / 2)));
     }
 }

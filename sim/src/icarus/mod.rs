@@ -30,6 +30,8 @@ pub const ICARUS_RUNTIME: Tool = Tool { command: "vvp", ..ICARUS };
 pub struct Icarus<'a> {
     design: &'a Design,
     workshop: Workshop,
+    /// Clocks of a run that a reset cuts off before each run.
+    interrupted: Option<u64>,
     /// What it warns of.
     warnings: &'static [&'static str],
     /// What the program that is built watches.
@@ -64,7 +66,16 @@ impl<'a> Icarus<'a> {
     ) -> Result<Icarus<'a>, SimError> {
         Icarus::present()?;
         let workshop = workshop(design)?;
-        Ok(Icarus { design, workshop, warnings, built: None, build_time: Duration::ZERO })
+        let (interrupted, built, build_time) = (None, None, Duration::ZERO);
+        Ok(Icarus { design, workshop, interrupted, warnings, built, build_time })
+    }
+
+    /// The same engine, in which each run comes behind one that is interrupted: so many clocks of the
+    /// same stimulus, which nothing has reset, and then the reset while pixels are under way. Until the
+    /// first pixel and at the reset all pins are X. Values that belong to valid pixels are the same,
+    /// and no pixel leaves that did not enter behind the reset.
+    pub fn behind_an_interruption(self, clocks: u64) -> Icarus<'a> {
+        Icarus { interrupted: Some(clocks), built: None, ..self }
     }
 
     /// Whether Icarus is installed.
@@ -87,7 +98,8 @@ impl<'a> Icarus<'a> {
         }
         let begin = Instant::now();
         self.built = None;
-        self.workshop.write("bench.v", &bench::text(&self.workshop.ports, &watch))?;
+        self.workshop
+            .write("bench.v", &bench::text(&self.workshop.ports, &watch, self.interrupted))?;
         let source = match watch {
             Watch::Ports(_) => &self.workshop.source,
             Watch::Everything => &self.workshop.traced_source,
@@ -129,7 +141,7 @@ impl Engine for Icarus<'_> {
             let trace = Trace {
                 tool: ICARUS.name,
                 root: &[bench::NAME, bench::INSTANCE],
-                sampling: bench::SAMPLING,
+                sampling: bench::sampling(self.interrupted),
             };
             return trace.read(self.workshop.open(TRACE)?, self.design, watched, clocks, sink);
         }

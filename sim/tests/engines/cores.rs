@@ -59,6 +59,13 @@ fn directs_outputs_agree_with_newtons_root() {
 }
 
 #[test]
+fn directs_outputs_agree_with_numerators_that_are_added_up() {
+    for root in ["exact", "newton"] {
+        options_agree(Method::Direct, &format!("root = \"{root}\"\nincrements = \"added\""));
+    }
+}
+
+#[test]
 fn lyons_outputs_agree_with_normals_that_follow_and_go_along_by_additions() {
     let options = "normals = \"wrapped\"\naxis = \"previous\"\nincrements = \"added\"";
     options_agree(Method::Lyon, options);

@@ -83,8 +83,8 @@ pub struct Report<'a> {
     pub largest_code_difference: u8,
     /// Proven bound of the quantisation error; `None` if there is no finite one.
     pub bound_lsb: Option<f64>,
-    /// Why the core is not faithful by proof, where it was to be; `None` where it is, or formats
-    /// were asked for.
+    /// The core's formats and why it is not faithful by proof, where it was to be; `None` where it
+    /// is, or formats were asked for.
     pub not_faithful: Option<String>,
     /// The bound divided by the largest measured quantisation error.
     pub bound_ratio: Option<f64>,

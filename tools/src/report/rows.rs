@@ -48,10 +48,9 @@ pub fn device(report: &Report) -> Option<[String; 2]> {
     report.fitted.as_ref().map(|fitted| ["device".to_owned(), fitted.in_words()])
 }
 
-/// The reason why the core has recommended formats, where it was to be faithful.
+/// The core's formats, with the reason why it is not faithful, where it was to be.
 pub fn formats(report: &Report) -> Option<[String; 2]> {
-    let reason = report.not_faithful.as_ref()?;
-    Some(["formats".to_owned(), format!("recommended ones: {reason}")])
+    Some(["formats".to_owned(), report.not_faithful.clone()?])
 }
 
 /// The target and the clock that the core was made for, and the predicted clock, if it has any.

@@ -68,6 +68,33 @@ fn every_frame_is_shaded_and_compared() {
     assert_eq!(picture("simulated.png"), picture(&format!("frame_{shown:04}.png")));
 }
 
+/// Something that passes through the picture: the frames before it comes and after it leaves are of
+/// the background, are compared, and are in the animation.
+#[test]
+fn frames_of_the_background_are_frames() {
+    let place = Place::new();
+    let [head, _] = SCENE.split_once("[sequence]").map(|(head, rest)| [head, rest]).unwrap();
+    let passes = "[sequence]\nframes = 5\n[[sequence.motion]]\nof = \"object 1\"\n\
+                  translate = [[-6, 0, 0], [6, 0, 0]]\nat = [0, 4]\n";
+    place.write("passes.toml", format!("{head}{passes}"));
+    let summary = place.succeeds(&["run", "passes.toml"]);
+    assert!(summary.contains("5 frames, 0 to 4: all agree"), "{summary}");
+    let report = place.report("out/passes");
+    let frames = report["sequence"]["by_frame"].as_array().expect("it lists frames");
+    let pixels: Vec<u64> = frames.iter().map(|frame| frame["pixels"].as_u64().unwrap()).collect();
+    assert_eq!((pixels[0], pixels[4]), (0, 0), "{pixels:?}");
+    assert!(pixels[2] > 0, "{pixels:?}");
+    let picture = image::open(place.path("out/passes/frame_0000.png")).unwrap().into_rgb8();
+    let first = *picture.get_pixel(0, 0);
+    assert!(picture.pixels().all(|pixel| *pixel == first));
+    let explored =
+        place.specula(&["explore", "passes.toml", "--max-error", "6lsb", "--methods", "gouraud"]);
+    let told = "frames: frame 1 alone is looked at, the first of 5 in which something is visible\n";
+    assert!(explored.stderr.starts_with(told), "{explored:?}");
+    place.succeeds(&["run", "passes.toml", "--core", "out/passes", "-o", "again"]);
+    place.succeeds(&["needs", "passes.toml"]);
+}
+
 /// The animation has every frame's pixels, whatever changes from one to the next.
 #[test]
 fn the_animation_is_the_frames() {

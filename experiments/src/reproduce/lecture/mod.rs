@@ -3,6 +3,8 @@ mod bands;
 mod edges;
 mod exercises;
 pub(super) mod highlights;
+pub mod increments;
+mod packets;
 pub mod quadrilateral;
 
 use glam::DVec3;
@@ -19,12 +21,13 @@ use crate::stress::draw::{tilted, turned};
 
 /// All claims, in the order of the lecture.
 pub(super) fn claims() -> Vec<&'static Claim> {
-    let groups: [&'static [Claim]; 6] = [
+    let groups: [&'static [Claim]; 7] = [
         &quadrilateral::CLAIMS,
         &bands::CLAIMS,
         &highlights::CLAIMS,
         &CLAIMS,
         &edges::CLAIMS,
+        &packets::CLAIMS,
         &exercises::CLAIMS,
     ];
     groups.into_iter().flatten().collect()
