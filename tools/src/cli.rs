@@ -8,8 +8,8 @@ use crate::output::Interrupts;
 use crate::verdict::Verdict;
 use crate::{
     cmd_bench, cmd_compare, cmd_completions, cmd_explore, cmd_generate, cmd_manual, cmd_methods,
-    cmd_needs, cmd_new, cmd_reproduce, cmd_run, cmd_scenes, cmd_schedule, cmd_stress, cmd_synth,
-    cmd_wave,
+    cmd_needs, cmd_new, cmd_prove, cmd_reproduce, cmd_run, cmd_scenes, cmd_schedule, cmd_stress,
+    cmd_synth, cmd_wave,
 };
 
 const EXAMPLES: &str = "\
@@ -52,6 +52,8 @@ pub enum Command {
     Explore(cmd_explore::Arguments),
     /// Try every method on the catalogue of extremes
     Stress(cmd_stress::Arguments),
+    /// Have the bounds of a core proven by another program, Gappa
+    Prove(cmd_prove::Arguments),
     /// Compute the claims of the papers, and say which of them hold
     Reproduce(cmd_reproduce::Arguments),
     /// Write a scene file to begin with
@@ -85,6 +87,7 @@ impl Command {
             Command::Needs(arguments) => cmd_needs::execute(arguments, stdout),
             Command::Explore(arguments) => cmd_explore::execute(arguments, stdout, interrupts),
             Command::Stress(arguments) => cmd_stress::execute(arguments, stdout, interrupts),
+            Command::Prove(arguments) => cmd_prove::execute(arguments, stdout, interrupts),
             Command::Reproduce(arguments) => cmd_reproduce::execute(arguments, stdout, interrupts),
             Command::New(arguments) => cmd_new::execute(arguments, stdout, interrupts),
             Command::Scenes(arguments) => cmd_scenes::execute(arguments, stdout),

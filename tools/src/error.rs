@@ -11,6 +11,7 @@ use specula_experiments::search::NotFound;
 use specula_experiments::tradeoff::{JournalError, SweepError};
 use specula_flow::stream::Stuck;
 use specula_flow::synth::SynthError;
+use specula_proof::ProofError;
 use specula_scene::SceneError;
 use specula_spec::{CoreError, SpecError};
 use specula_testbench::BenchError;
@@ -51,6 +52,10 @@ pub enum ToolError {
         /// The targets for which it can.
         known: String,
     },
+    /// Gappa cannot be asked.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Proof(#[from] ProofError),
     /// No core is as exact as the user asked for.
     #[error(transparent)]
     #[diagnostic(transparent)]

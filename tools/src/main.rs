@@ -11,6 +11,7 @@ mod cmd_manual;
 mod cmd_methods;
 mod cmd_needs;
 mod cmd_new;
+mod cmd_prove;
 mod cmd_reproduce;
 mod cmd_run;
 mod cmd_scenes;

@@ -15,8 +15,9 @@ use crate::error::{OtherTarget, ToolError};
 #[derive(Clone, Debug, Default, Args)]
 #[command(group = ArgGroup::new(PART).args(["target", "device"]).multiple(true))]
 pub struct TargetArguments {
-    /// Target whose cells and delays the core is made for [default: the device's, else any device,
-    /// with a register behind each operator]
+    /// Target whose cells and delays the core is made for; no delays are known of gowin, whose cores
+    /// are for any device [default: the device's, else any device, with a register behind each
+    /// operator]
     #[arg(long, value_name = "TARGET", value_parser = target_parser())]
     pub target: Option<String>,
     /// The FPGA that the core has to fit: look-up tables are estimated, the rest is counted
@@ -47,22 +48,24 @@ pub enum Clock {
 }
 
 impl TargetArguments {
-    /// The target that a core is made for: the one that is named, or else the device's, if its delays
-    /// are known.
+    /// The target that a core is made for: the one that is named, any device where its delays are not
+    /// known, or else the device's, if its delays are known.
     ///
     /// # Errors
     /// [`OtherTarget`] where both are named and do not belong together.
     pub fn target(&self) -> Result<Option<&str>, OtherTarget> {
-        let Some(device) = &self.device else { return Ok(self.target.as_deref()) };
+        let is_clocked = |name: &str| Target::clocked().any(|clocked| clocked == name);
+        let Some(device) = &self.device else {
+            let own = |name| if is_clocked(name) { name } else { ANY_DEVICE };
+            return Ok(self.target.as_deref().map(own));
+        };
         match &self.target {
             Some(target) if *target != device.target => Err(OtherTarget {
                 device: device.name.clone(),
                 own: device.target.clone(),
                 target: target.clone(),
             }),
-            _ => {
-                Ok(Some(device.target.as_str()).filter(|own| Target::clocked().any(|t| t == *own)))
-            }
+            _ => Ok(Some(device.target.as_str()).filter(|own| is_clocked(own))),
         }
     }
 
@@ -81,7 +84,7 @@ impl TargetArguments {
 
     /// The clock in MHz that is given where cores are made for any device.
     pub fn given_for_any_device(&self) -> Option<f64> {
-        match (self.target(), self.clock) {
+        match (self.wanted(), self.clock) {
             (Ok(None), Some(Clock::Mhz(mhz))) => Some(mhz),
             _ => None,
         }
@@ -106,8 +109,8 @@ impl TargetArguments {
         }
     }
 
-    /// How products are made on the target that the core is made for, or else on the device that is
-    /// named.
+    /// How products are made on the target that the core is made for, or else on the device or the
+    /// target that is named.
     ///
     /// # Errors
     /// As [`TargetArguments::target`].
@@ -115,7 +118,11 @@ impl TargetArguments {
         Ok(match (self.wanted()?, &self.device) {
             (Some(wanted), _) => Products::Of(Box::new(wanted.target)),
             (None, Some(device)) => device.block.map_or(Products::Logic, Products::Blocks),
-            (None, None) => Products::Blocks(GENERIC_BLOCK),
+            (None, None) => {
+                let named = self.target.as_deref().and_then(Target::named);
+                let block = named.and_then(|target| target.multiplier);
+                Products::Blocks(block.map_or(GENERIC_BLOCK, |block| block.widths))
+            }
         })
     }
 
@@ -137,7 +144,7 @@ pub const ANY_DEVICE: &str = "generic";
 
 /// `--target`.
 fn target_parser() -> impl TypedValueParser<Value = String> {
-    PossibleValuesParser::new([ANY_DEVICE].into_iter().chain(Target::clocked()))
+    PossibleValuesParser::new(Target::names())
 }
 
 /// Parses `--clock`.

@@ -15,6 +15,7 @@ fn every_command_has_help() {
         "stress",
         "synth",
         "schedule",
+        "prove",
         "reproduce",
         "new",
         "scenes",

@@ -14,6 +14,7 @@ mod needs;
 mod output;
 mod page;
 mod program;
+mod prove;
 mod reproduce;
 mod run;
 mod schedule;
